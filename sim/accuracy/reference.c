@@ -4,54 +4,10 @@
  * edges a -> b. On the screen that is a linear function of the pixel, and so is the inverse depth
  * of the polygon's plane; corners behind the eye need no clipping. Two polygons with a common
  * edge compute exact negatives of the same function, so no ray can slip between them. */
-#include "accuracy/reference.h"
-
-#include "model/pose.h"
-#include "readers/model_read.h"
-#include "readers/source.h"
+#include "accuracy/reference_polygon.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-/* a * u + b * v + c, for u and v from -1 to 1 across the picture, v upwards. */
-struct reference_edge {
-    double a, b, c;
-};
-
-struct pixel_rect {
-    int x0, y0, x1, y1; /* inclusive */
-};
-
-struct reference_polygon {
-    uint32_t first, count; /* points[first .. first + count) */
-    uint32_t face, mapping;
-    size_t mover; /* 0: none */
-    bool two_sided;
-    double normal[3], offset_m;          /* normal . p = offset_m; not of unit length */
-    struct reference_edge inverse_depth; /* of the plane, for the frame being drawn */
-    double depth_min_m, depth_max_m;     /* of the corners, the same */
-    struct pixel_rect bounds;            /* on the screen, the same */
-};
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        out[i] = a[j] * b[k] - a[k] * b[j];
-    }
-}
-
-static void subtract(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = a[i] - b[i];
-}
 
 static double edge_at(const struct reference_edge *edge, double u, double v)
 {
@@ -66,139 +22,6 @@ static double pixel_u(const struct reference_view *view, int x_px)
 static double pixel_v(const struct reference_view *view, int y_px)
 {
     return 1.0 - (2.0 * (y_px + view->shift_px[1]) + 1.0) / view->h_px;
-}
-
-/* Scene -------------------------------------------------------------------------------------- */
-
-/* Newell's normal: the sum over all edges, so that no three corners are singled out. */
-static void polygon_plane(struct reference_polygon *polygon, double (*points)[3])
-{
-    double centre[3] = {0};
-    memset(polygon->normal, 0, sizeof polygon->normal);
-    for (uint32_t i = 0; i < polygon->count; i++)
-        for (int axis = 0; axis < 3; axis++)
-            centre[axis] += points[i][axis] / polygon->count;
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        double a[3], b[3], term[3];
-        subtract(points[i], centre, a);
-        subtract(points[(i + 1) % polygon->count], centre, b);
-        cross(a, b, term);
-        for (int axis = 0; axis < 3; axis++)
-            polygon->normal[axis] += term[axis];
-    }
-    polygon->offset_m = dot(polygon->normal, centre);
-}
-
-static void copy_polygons(struct reference *reference, const struct mesh *mesh, size_t mover)
-{
-    for (size_t p = 0; p < mesh->polygon_count; p++) {
-        const struct mesh_polygon *from = &mesh->polygons[p];
-        struct reference_polygon *to = &reference->polygons[reference->polygon_count++];
-        const uint32_t first = (uint32_t)reference->point_count;
-        *to = (struct reference_polygon){.first = first,
-                                         .count = from->count,
-                                         .face = from->face,
-                                         .mapping = from->mapping,
-                                         .mover = mover,
-                                         .two_sided = from->two_sided};
-        for (uint32_t i = 0; i < from->count; i++) {
-            const double *point = mesh->points[mesh->corners[from->first + i]];
-            memcpy(reference->points[first + i], point, sizeof reference->points[0]);
-            memcpy(reference->own_points[first + i], point, sizeof reference->own_points[0]);
-        }
-        polygon_plane(to, &reference->points[first]);
-        reference->point_count += from->count;
-    }
-}
-
-static void *larger(void *items, size_t count, size_t item_b, bool *ok)
-{
-    void *moved = realloc(items, (count ? count : 1) * item_b);
-    if (!moved) *ok = false;
-    return moved ? moved : items;
-}
-
-bool reference_add(struct reference *reference, const struct mesh *mesh, size_t mover, struct error *err)
-{
-    size_t points = reference->point_count;
-    bool ok = true;
-    for (size_t p = 0; p < mesh->polygon_count; p++) {
-        points += mesh->polygons[p].count;
-        if (mesh->polygons[p].count > reference->corners_max) reference->corners_max = mesh->polygons[p].count;
-    }
-    const size_t polygons = reference->polygon_count + mesh->polygon_count;
-    reference->points = larger(reference->points, points, sizeof reference->points[0], &ok);
-    reference->own_points = larger(reference->own_points, points, sizeof reference->own_points[0], &ok);
-    reference->polygons = larger(reference->polygons, polygons, sizeof reference->polygons[0], &ok);
-    reference->edges = larger(reference->edges, reference->corners_max, sizeof reference->edges[0], &ok);
-    if (!ok) return error_set(err, "reference picture: out of memory");
-    copy_polygons(reference, mesh, mover);
-    return true;
-}
-
-void reference_bend(struct reference *reference, size_t mover, void (*bend)(double at_m[3], double how), double how)
-{
-    for (size_t p = 0; p < reference->polygon_count; p++) {
-        const struct reference_polygon *polygon = &reference->polygons[p];
-        for (uint32_t i = polygon->first; polygon->mover == mover && i < polygon->first + polygon->count; i++)
-            bend(reference->own_points[i], how);
-    }
-}
-
-void reference_pose(struct reference *reference, size_t mover, const struct model_pose *pose)
-{
-    for (size_t p = 0; p < reference->polygon_count; p++) {
-        struct reference_polygon *polygon = &reference->polygons[p];
-        if (polygon->mover != mover) continue;
-        for (uint32_t i = polygon->first; i < polygon->first + polygon->count; i++)
-            pose_leave(pose, reference->own_points[i], reference->points[i]);
-        polygon_plane(polygon, &reference->points[polygon->first]);
-    }
-}
-
-bool reference_init(struct reference *reference, const struct mesh *mesh, unsigned w_px, unsigned h_px,
-                    struct error *err)
-{
-    const size_t pixel_count = (size_t)w_px * h_px;
-    *reference = (struct reference){.w_px = w_px, .h_px = h_px};
-    reference->faces = calloc(pixel_count, sizeof reference->faces[0]);
-    reference->mappings = calloc(pixel_count, sizeof reference->mappings[0]);
-    reference->depths_m = calloc(pixel_count, sizeof reference->depths_m[0]);
-    bool ok = (reference->faces && reference->mappings && reference->depths_m) ||
-              error_set(err, "reference picture: out of memory");
-    ok = ok && reference_add(reference, mesh, 0, err);
-    if (!ok) reference_free(reference);
-    return ok;
-}
-
-bool reference_read(struct reference *reference, const char *model_path, const struct orientation *orientation,
-                    unsigned w_px, unsigned h_px, struct error *err)
-{
-    struct model model;
-    struct mesh mesh;
-    if (!model_read(model_path, orientation, &model, err)) return false;
-    bool ok = source_take(model_path, &model, err);
-    const struct model view = source_view(&model);
-    const bool shares_importer = !model.source_points;
-    ok = ok && (mesh_clean_fine(&view, NULL, &mesh, err) || error_prefix(err, model_path));
-    model_free(&model);
-    if (!ok) return false;
-    ok = reference_init(reference, &mesh, w_px, h_px, err);
-    reference->shares_importer = shares_importer;
-    mesh_free(&mesh);
-    return ok;
-}
-
-void reference_free(struct reference *reference)
-{
-    free(reference->points);
-    free(reference->own_points);
-    free(reference->polygons);
-    free(reference->edges);
-    free(reference->faces);
-    free(reference->mappings);
-    free(reference->depths_m);
-    memset(reference, 0, sizeof *reference);
 }
 
 /* One polygon -------------------------------------------------------------------------------- */
@@ -383,9 +206,10 @@ void reference_draw_shifted(struct reference *reference, const struct viewpoint 
     wipe(reference);
     for (size_t p = 0; p < reference->polygon_count; p++) {
         struct reference_polygon *polygon = &reference->polygons[p];
-        polygon->bounds = polygon_bounds(polygon, &reference->points[polygon->first], view);
-        draw_polygon(reference, polygon, view, &polygon->bounds);
+        reference->bounds[p] = polygon_bounds(polygon, &reference->points[polygon->first], view);
+        draw_polygon(reference, polygon, view, &reference->bounds[p]);
     }
+    near_tiles_set(&reference->tiles, reference->w_px, reference->h_px, reference->bounds, reference->polygon_count);
 }
 
 static uint32_t group_of(const uint32_t *groups, uint32_t face)
@@ -409,13 +233,29 @@ static struct reference_view close_up(const struct reference *reference, size_t 
 
 enum { LOOK_PX = 128 }; /* the size of the closest look */
 
-/* Whether a polygon may reach into the two pixels' width around a pixel, in the last frame drawn. What lies beside
- * the screen has bounds at its border. */
-static bool may_be_near(const struct reference *reference, const struct reference_polygon *polygon, size_t pixel)
+/* The polygons that may reach into the two pixels' width around a pixel, in the last frame drawn, and more. What lies
+ * beside the screen has bounds at its border. */
+static void near_lists(const struct reference *reference, size_t pixel, struct near_list lists[NEAR_LISTS])
 {
+    near_tiles_at(&reference->tiles, (unsigned)(pixel % reference->w_px), (unsigned)(pixel / reference->w_px), lists);
+}
+
+static bool is_near(const struct pixel_rect *bounds, int x_px, int y_px)
+{
+    return x_px >= bounds->x0 - NEAR_TILES_PX && x_px <= bounds->x1 + NEAR_TILES_PX &&
+           y_px >= bounds->y0 - NEAR_TILES_PX && y_px <= bounds->y1 + NEAR_TILES_PX;
+}
+
+static void draw_near(struct reference *small, const struct reference *reference, const struct near_list *list,
+                      size_t pixel, const struct reference_view *view)
+{
+    const struct pixel_rect all = {0, 0, view->w_px - 1, view->h_px - 1};
     const int x_px = (int)(pixel % reference->w_px), y_px = (int)(pixel / reference->w_px);
-    const struct pixel_rect *bounds = &polygon->bounds;
-    return x_px >= bounds->x0 - 2 && x_px <= bounds->x1 + 2 && y_px >= bounds->y0 - 2 && y_px <= bounds->y1 + 2;
+    for (size_t i = 0; i < list->count; i++) {
+        if (!is_near(&reference->bounds[list->numbers[i]], x_px, y_px)) continue;
+        struct reference_polygon polygon = reference->polygons[list->numbers[i]];
+        draw_polygon(small, &polygon, view, &all);
+    }
 }
 
 static bool sees_in(const struct reference *reference, const uint32_t *groups, uint32_t group, size_t pixel,
@@ -423,17 +263,16 @@ static bool sees_in(const struct reference *reference, const uint32_t *groups, u
 {
     uint32_t faces[LOOK_PX * LOOK_PX];
     double depths_m[LOOK_PX * LOOK_PX];
-    const struct pixel_rect all = {0, 0, view->w_px - 1, view->h_px - 1};
+    struct near_list lists[NEAR_LISTS];
     struct reference small = *reference;
     small.w_px = small.h_px = (unsigned)view->w_px;
     small.faces = faces;
     small.mappings = NULL;
     small.depths_m = depths_m;
     wipe(&small);
-    for (size_t p = 0; p < reference->polygon_count; p++) {
-        struct reference_polygon polygon = reference->polygons[p];
-        if (may_be_near(reference, &polygon, pixel)) draw_polygon(&small, &polygon, view, &all);
-    }
+    near_lists(reference, pixel, lists);
+    for (int i = 0; i < NEAR_LISTS; i++)
+        draw_near(&small, reference, &lists[i], pixel, view);
     for (int i = 0; i < view->w_px * view->h_px; i++)
         if (group_of(groups, faces[i]) == group) return true;
     return false;
@@ -465,8 +304,8 @@ static bool is_hidden(const struct reference *reference, const uint32_t *groups,
     for (size_t p = 0; p < reference->polygon_count && !filled; p++)
         filled = reference->polygons[p].face == before && fills(reference, &reference->polygons[p], view, covers);
     for (size_t p = 0; p < reference->polygon_count && filled; p++) {
+        if (group_of(groups, reference->polygons[p].face) != group) continue;
         struct reference_polygon polygon = reference->polygons[p];
-        if (group_of(groups, polygon.face) != group) continue;
         set_plane(&polygon, view);
         for (int i = 0; i < 4; i++)
             if (!(edge_at(&polygon.inverse_depth, i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0) < covers[i])) return false;

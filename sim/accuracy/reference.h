@@ -6,6 +6,7 @@
 #ifndef SIM_REFERENCE_H
 #define SIM_REFERENCE_H
 
+#include "accuracy/near_tiles.h"
 #include "cameras/camera_path.h"
 #include "model/mesh.h"
 #include "model/model_orientation.h"
@@ -36,6 +37,8 @@ struct reference {
     uint32_t *faces;            /* w_px * h_px face numbers from the top left, 0 = background */
     uint32_t *mappings;         /* what of a texture: mesh_polygon.mapping of the polygon seen; or NULL */
     double *depths_m;           /* along the view axis; infinite for the background */
+    struct pixel_rect *bounds;  /* of the polygons on the screen, in the last frame drawn */
+    struct near_tiles tiles;    /* the same */
     bool shares_importer;       /* reference_read(): the file's format has no reader in source.h */
 };
 

@@ -18,7 +18,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { SIDE_PX = 240, FOV_DEG = 60, ROUNDS = 8 };
+enum { SIDE_PX = 240, FOV_DEG = 60, ROUNDS = 8, MOST_ACTIVE = 30000 };
 enum { CAMERAS_MAX = 192, CAMERAS_MIN = 24, TRIANGLES_DRAWN = 1500000 }; /* of many triangles, fewer cameras */
 static const double MARGIN_PX = 0.1;                                     /* what rounding moves an edge by, and more */
 static const double TOLERANCE_UNITS = 1;   /* what is so little farther is no nearer either */
@@ -87,21 +87,45 @@ static const double *corner(const struct ordering *work, size_t triangle, int k)
     return work->at[work->scene->scene.polygons[triangle * LIM_TRIANGLE_WORDS + (size_t)k]];
 }
 
-/* A triangle's depth at a point of the screen, by its plane, and how far inside of it that is, in pixels: negative,
- * outside. */
-static double depth_at(const struct ordering *work, size_t triangle, const double point[2], double *inside_px)
+/* What is linear over the screen: x, y and a constant. */
+typedef double linear[3];
+
+static double linear_at(const linear f, const double point[2])
+{
+    return f[0] * point[0] + f[1] * point[1] + f[2];
+}
+
+/* A triangle on the screen: how far inside of each side a point is, in pixels; and 1 / depth by its plane. */
+struct seen_triangle {
+    linear sides[3], inverse;
+};
+
+static void see(const struct ordering *work, size_t triangle, struct seen_triangle *seen)
 {
     const double *c[3] = {corner(work, triangle, 0), corner(work, triangle, 1), corner(work, triangle, 2)};
     const double area = area_of(c[0], c[1], c[2]);
-    double inverse = 0;
-    *inside_px = INFINITY;
+    *seen = (struct seen_triangle){0};
     for (int k = 0; k < 3; k++) {
         const double *from = c[(k + 1) % 3], *to = c[(k + 2) % 3];
-        const double part = area_of(point, from, to);
-        inverse += part / area / c[k][2];
-        *inside_px = fmin(*inside_px, part * (area < 0 ? -1 : 1) / hypot(to[0] - from[0], to[1] - from[1]));
+        const linear part = {from[1] - to[1], to[0] - from[0], from[0] * to[1] - from[1] * to[0]}; /* twice its area */
+        const double length = (area < 0 ? -1 : 1) * hypot(part[0], part[1]);
+        for (int i = 0; i < 3; i++) {
+            seen->sides[k][i] = part[i] / length;
+            seen->inverse[i] += part[i] / area / c[k][2];
+        }
     }
-    return 1 / inverse;
+}
+
+/* Negative: outside. */
+static double inside_px(const struct seen_triangle *seen, const double point[2])
+{
+    return fmin(linear_at(seen->sides[0], point),
+                fmin(linear_at(seen->sides[1], point), linear_at(seen->sides[2], point)));
+}
+
+static double depth_at(const struct seen_triangle *seen, const double point[2])
+{
+    return 1 / linear_at(seen->inverse, point);
 }
 
 static int first_px(double from)
@@ -117,12 +141,15 @@ static void draw_triangle(struct ordering *work, size_t triangle)
     if (a[2] < near || b[2] < near || c[2] < near || area_of(a, b, c) >= 0) return;
     const int x0 = first_px(fmin(a[0], fmin(b[0], c[0]))), x1 = first_px(fmax(a[0], fmax(b[0], c[0])));
     const int y0 = first_px(fmin(a[1], fmin(b[1], c[1]))), y1 = first_px(fmax(a[1], fmax(b[1], c[1])));
+    struct seen_triangle seen;
+    see(work, triangle, &seen);
     for (int y = y0; y < y1; y++)
         for (int x = x0; x < x1; x++) {
             const size_t pixel = (size_t)y * SIDE_PX + (size_t)x;
-            double inside_px;
-            const double depth = depth_at(work, triangle, (double[2]){x + 0.5, y + 0.5}, &inside_px);
-            if (inside_px < 0 || depth >= work->depths[pixel]) continue;
+            const double point[2] = {x + 0.5, y + 0.5};
+            if (inside_px(&seen, point) < 0) continue;
+            const double depth = depth_at(&seen, point);
+            if (depth >= work->depths[pixel]) continue;
             work->depths[pixel] = depth;
             work->nearest[pixel] = (uint32_t)triangle + 1;
         }
@@ -146,11 +173,12 @@ static bool is_wrong(const struct ordering *work, size_t pixel)
 {
     const uint32_t painted = work->ids.numbers[pixel], nearest = work->nearest[pixel];
     const double point[2] = {(double)(pixel % SIDE_PX) + 0.5, (double)(pixel / SIDE_PX) + 0.5};
-    double inside_px;
+    struct seen_triangle seen;
     if (!painted || !nearest || painted == nearest) return false;
-    (void)depth_at(work, nearest - 1, point, &inside_px);
-    if (inside_px < MARGIN_PX) return false;
-    return depth_at(work, painted - 1, point, &inside_px) > work->depths[pixel] + TOLERANCE_UNITS;
+    see(work, nearest - 1, &seen);
+    if (inside_px(&seen, point) < MARGIN_PX) return false;
+    see(work, painted - 1, &seen);
+    return depth_at(&seen, point) > work->depths[pixel] + TOLERANCE_UNITS;
 }
 
 static bool look(struct ordering *work, const struct lim_camera *camera, struct error *err)
@@ -248,10 +276,19 @@ static bool settle(struct ordering *work, const struct simulator_setup *setup, d
     return true;
 }
 
+/* As many as may cross a line: with less room lines come in parts, and each part looks at all triangles anew. */
+static void set_roomy(struct compiled *scene)
+{
+    struct lim_limits limits = scene->scene.limits;
+    limits.active = (uint16_t)(scene->scene.polygon_count < MOST_ACTIVE ? scene->scene.polygon_count : MOST_ACTIVE);
+    lim_image_set_limits(scene, &limits);
+}
+
 bool mesh_order_settle(struct compiled *scene, const struct core *core, double share, struct error *err)
 {
     const struct simulator_setup setup = {SIDE_PX, SIDE_PX, LIM_MESH_DEPTH, SIMULATOR_MEMORY, core};
     struct ordering work = {.scene = scene};
+    set_roomy(scene);
     if (!lens_for_grid(&work.lens, FOV_DEG, scene->report.near_m, &scene->grid, SIDE_PX, SIDE_PX, err)) return false;
     if (!ids_init(&work.ids, scene, &setup, err)) return false;
     work.at = grow_zeroed(scene->scene.vertex_count, sizeof *work.at);
