@@ -194,6 +194,7 @@ bool lim_spans_shrink(struct lim_spans *spans)
     struct lim_line *const after = &spans->lines[open.y1];
     for (struct lim_line *line = &spans->lines[open.y0]; line < after; line++) {
         if (lim_line_is_closed(line)) continue;
+        if (x0 == open.x0 && x1 == open.x1 && !(LIM_HAS_ANTIALIAS && lim_spans_have_strips(spans))) break;
         if (LIM_HAS_ANTIALIAS && lim_spans_have_strips(spans)) lim_strips_bound(spans, line);
         const uint16_t end = last_open(spans, line);
         if (line->gap.x0 < x0) x0 = line->gap.x0;

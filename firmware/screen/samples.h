@@ -60,6 +60,12 @@ static inline bool lim_bound_is_before(const struct lim_bound *a, const struct l
     return pair_are_most(a->rows[0], b->rows[0], a->rows[1], b->rows[1]);
 }
 
+/* The same where it seldom is: most differ in the upper rows already. */
+static inline bool lim_bound_is_before_for_once(const struct lim_bound *a, const struct lim_bound *b)
+{
+    return !pair_beyond(a->rows[0], b->rows[0]) && !pair_beyond(a->rows[1], b->rows[1]);
+}
+
 /* What two strips have in common; `strip` may have rows that end before they begin. */
 static inline struct lim_strip lim_strip_common(const struct lim_strip *strip, const struct lim_strip *open)
 {
@@ -156,7 +162,7 @@ static inline uint32_t lim_samples_at(uint32_t upper_q16, uint32_t lower_q16, in
     const uint32_t ahead = pair_of((uint32_t)(LIM_SAMPLES_A_ROW - 1 - lim_sample_shift(row)),
                                    (uint32_t)(LIM_SAMPLES_A_ROW - 1 - lim_sample_shift(row + 1)));
 
-    return (pair_of_highs(upper_q16, lower_q16) + ahead) >> 2 & 0x3FFF3FFF;
+    return pair_quarter_of_sum(pair_of_highs(upper_q16, lower_q16), ahead);
 }
 
 /* All rows of a line that an edge goes on through, and on to the last one. */

@@ -68,6 +68,14 @@ struct compare_counts compare_picture(const uint32_t *rendered, const struct ref
     return counts;
 }
 
+struct compare_counts compare_wrong(const uint32_t *rendered, const struct reference *reference, const uint32_t *groups)
+{
+    struct compare_counts counts = {.pixels = (size_t)reference->w_px * reference->h_px};
+    for (size_t pixel = 0; pixel < counts.pixels; pixel++)
+        counts.wrong += group_of(groups, rendered[pixel]) != group_of(groups, reference->faces[pixel]);
+    return counts;
+}
+
 bool compare_is_faultier(const struct compare_counts *a, const struct compare_counts *b)
 {
     return a->holes > b->holes || (a->holes == b->holes && a->wrong > b->wrong);

@@ -36,7 +36,11 @@ struct comparison {
 struct compare_counts compare_picture(const uint32_t *rendered, const struct reference *reference,
                                       const uint32_t *groups, double unit_m);
 
-/* The same for one pixel. */
+/* The same, but what is wrong is not looked at: all other counts are 0. */
+struct compare_counts compare_wrong(const uint32_t *rendered, const struct reference *reference,
+                                    const uint32_t *groups);
+
+/* compare_picture() for one pixel. */
 enum compare_verdict compare_pixel(const uint32_t *rendered, const struct reference *reference, const uint32_t *groups,
                                    double unit_m, size_t pixel);
 

@@ -62,13 +62,12 @@ static bool next_view(struct sampler *sampler, enum view_kind kind, struct viewp
 static bool compare_view(struct predicting *predicting, enum view_kind kind, const struct viewpoint *viewpoint,
                          const struct lim_camera *camera, struct error *err)
 {
-    const double unit_m = 1.0 / predicting->scene->grid.units_per_m;
     reference_draw(predicting->reference, viewpoint, &predicting->lens);
     for (size_t i = 0; i < predicting->count; i++) {
         struct candidate *candidate = &predicting->candidates[i];
         if (!ids_frame(&candidate->ids, camera, err)) return false;
         const struct compare_counts counts =
-            compare_picture(candidate->ids.faces, predicting->reference, predicting->groups, unit_m);
+            compare_wrong(candidate->ids.faces, predicting->reference, predicting->groups);
         comparison_add(&candidate->sums[kind], &counts);
     }
     return true;

@@ -2,6 +2,7 @@
 #include "render/pool_search.h"
 
 #include "render/frame_cost.h"
+#include "scene/mcu_mem.h"
 #include "scene/mcu_sizes.h"
 
 #include <string.h>
@@ -39,13 +40,14 @@ static void note_most(struct pool_search_result *out, const struct lim_stats *st
 }
 
 /* Where each has a pool of its own, they are weighed as what they take on a small screen. */
-static double memory_of(uint32_t shared_b, const struct lim_stats *stats)
+static double memory_of(const struct looking *looking, uint32_t shared_b)
 {
-    enum { ACTIVE_B = 36 };
+    const struct simulator *simulator = looking->simulator;
+    const struct lim_stats *stats = simulator_stats(simulator);
 
-    if (shared_b) return shared_b;
+    if (looking->memory.counted.cell_b) return shared_b;
     return stats->retained_cells_max * (double)MCU_CELL_B + stats->gaps_max * (double)MCU_GAP_B +
-           stats->active_max * (double)ACTIVE_B;
+           stats->active_max * (double)mcu_active_b(simulator->core, false, false);
 }
 
 static bool measure(void *ctx, const struct viewpoint *viewpoint, double *scores, struct error *err)
@@ -64,7 +66,7 @@ static bool measure(void *ctx, const struct viewpoint *viewpoint, double *scores
     const struct lim_stats *stats = simulator_stats(looking->simulator);
     scores[POOL_SEARCH_COST] = frame_cost_work(stats, &looking->simulator->target);
     const uint32_t shared_b = pool_search_shared_b(looking->simulator, &looking->memory);
-    scores[POOL_SEARCH_MEMORY] = memory_of(shared_b, stats);
+    scores[POOL_SEARCH_MEMORY] = memory_of(looking, shared_b);
     note_most(looking->out, stats, shared_b);
     return true;
 }

@@ -36,6 +36,9 @@ static void assert_counts(const struct pictures *pictures, const uint32_t *group
     assert_int_equal(counts.wrong, wrong);
     assert_int_equal(counts.beyond, beyond);
     assert_int_equal(counts.holes, holes);
+    counts = compare_wrong(pictures->rendered, &pictures->reference, groups);
+    assert_int_equal(counts.pixels, W_PX * H_PX);
+    assert_int_equal(counts.wrong, wrong);
 }
 
 static size_t order_errors(const struct pictures *pictures)

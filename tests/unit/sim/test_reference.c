@@ -3,6 +3,7 @@
  * The reference picture is right: by hand-made scenes, against a ray caster of another method,
  * and without gaps. */
 #include "rigs/cmocka_ready.h"
+#include "rigs/random.h"
 #include "rigs/reference_rig.h"
 
 #include <math.h>
@@ -271,6 +272,52 @@ static void closed_surface_has_no_gap(void **state)
     }
 }
 
+/* Tiles of the screen ------------------------------------------------------------------------ */
+
+static bool is_listed(const struct near_list lists[NEAR_LISTS], uint32_t number)
+{
+    size_t count = 0;
+    for (int k = 0; k < NEAR_LISTS; k++)
+        for (size_t i = 0; i < lists[k].count; i++)
+            count += lists[k].numbers[i] == number;
+    assert_true(count <= 1);
+    return count;
+}
+
+/* What reaches into a pixel's neighbourhood is in its lists, once, and lists are short where things are small. */
+static void tiles_know_what_is_near(void **state)
+{
+    enum { COUNT = 300, SCREENS = 12, PIXELS = 200 };
+    struct random random = {31};
+    struct near_tiles tiles = {0};
+    size_t listed = 0;
+    (void)state;
+    for (int screen = 0; screen < SCREENS; screen++) {
+        const int w_px = (int)random_in(&random, 1, 500), h_px = (int)random_in(&random, 1, 500);
+        struct pixel_rect bounds[COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            const int x0 = (int)random_in(&random, 0, w_px - 1), y0 = (int)random_in(&random, 0, h_px - 1);
+            const int most = i % 10 ? 20 : 500;
+            const int x1 = x0 + (int)random_in(&random, -1, most), y1 = y0 + (int)random_in(&random, -1, most);
+            bounds[i] = (struct pixel_rect){x0, y0, x1 < w_px ? x1 : w_px - 1, y1 < h_px ? y1 : h_px - 1};
+        }
+        near_tiles_set(&tiles, (unsigned)w_px, (unsigned)h_px, bounds, COUNT);
+        for (int p = 0; p < PIXELS; p++) {
+            const int x = (int)random_in(&random, 0, w_px - 1), y = (int)random_in(&random, 0, h_px - 1);
+            struct near_list lists[NEAR_LISTS];
+            near_tiles_at(&tiles, (unsigned)x, (unsigned)y, lists);
+            listed += lists[0].count + lists[1].count;
+            for (int i = 0; i < COUNT; i++) {
+                const bool is_near = x >= bounds[i].x0 - NEAR_TILES_PX && x <= bounds[i].x1 + NEAR_TILES_PX &&
+                                     y >= bounds[i].y0 - NEAR_TILES_PX && y <= bounds[i].y1 + NEAR_TILES_PX;
+                if (is_near) assert_true(is_listed(lists, (uint32_t)i));
+            }
+        }
+    }
+    near_tiles_free(&tiles);
+    assert_true(listed < (size_t)SCREENS * PIXELS * COUNT / 3);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -283,6 +330,7 @@ int main(void)
         cmocka_unit_test(floor_that_reaches_behind_the_eye_ends_at_the_horizon),
         cmocka_unit_test(agrees_with_another_ray_caster_on_random_triangles),
         cmocka_unit_test(closed_surface_has_no_gap),
+        cmocka_unit_test(tiles_know_what_is_near),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
