@@ -4,6 +4,8 @@
  * edges a -> b. On the screen that is a linear function of the pixel, and so is the inverse depth
  * of the polygon's plane; corners behind the eye need no clipping. Two polygons with a common
  * edge compute exact negatives of the same function, so no ray can slip between them. */
+#include "accuracy/reference.h"
+
 #include "accuracy/reference_polygon.h"
 
 #include <math.h>

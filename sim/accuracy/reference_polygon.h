@@ -4,7 +4,9 @@
 #ifndef SIM_REFERENCE_POLYGON_H
 #define SIM_REFERENCE_POLYGON_H
 
-#include "accuracy/reference.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 
 /* a * u + b * v + c, for u and v from -1 to 1 across the picture, v upwards. */
 struct reference_edge {

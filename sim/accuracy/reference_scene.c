@@ -2,6 +2,7 @@
  *
  * The polygons of a reference picture: from a mesh, or from a model's file by a reader of its own; and where movers
  * take them. */
+#include "accuracy/reference.h"
 #include "accuracy/reference_polygon.h"
 #include "model/pose.h"
 #include "readers/model_read.h"
