@@ -103,11 +103,11 @@ static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans,
     while (*link != LIM_NONE) {
         struct lim_open_strip *gap = &pool[*link];
         const struct lim_bound open_left = gap->open.left, open_right = gap->open.right;
-        if (lim_bound_is_before_for_once(&open_right, &left)) {
+        if (lim_bound_is_seldom_before(&open_right, &left)) {
             link = &gap->next;
             continue;
         }
-        if (lim_bound_is_before_for_once(&right, &open_left)) break;
+        if (lim_bound_is_seldom_before(&right, &open_left)) break;
         const bool to_end = lim_bound_is_before(&open_right, &right);
         enum lim_span_result some;
         if (lim_bound_is_before(&left, &open_left)) {

@@ -60,8 +60,8 @@ static inline bool lim_bound_is_before(const struct lim_bound *a, const struct l
     return pair_are_most(a->rows[0], b->rows[0], a->rows[1], b->rows[1]);
 }
 
-/* The same where it seldom is: most differ in the upper rows already. */
-static inline bool lim_bound_is_before_for_once(const struct lim_bound *a, const struct lim_bound *b)
+/* The same, where the answer is mostly no: the upper rows alone say so. */
+static inline bool lim_bound_is_seldom_before(const struct lim_bound *a, const struct lim_bound *b)
 {
     return !pair_beyond(a->rows[0], b->rows[0]) && !pair_beyond(a->rows[1], b->rows[1]);
 }

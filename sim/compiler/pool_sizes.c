@@ -235,7 +235,7 @@ static void raise_one_by_one(struct usage *usage, struct lim_limits *limits)
     limits->active = greater(limits->active, with_margin(most(usage->active, usage->cameras), 1));
 }
 
-/* What lies between cells and gaps is whole entries of neither. */
+/* What is left between cells and gaps may be too small for any entry: so there is one more of each. */
 static uint32_t one_of_each_b(const struct lim_counted *counted)
 {
     return counted->cell_b + counted->gap_b + counted->active_b;
