@@ -241,9 +241,22 @@ static uint32_t one_of_each_b(const struct lim_counted *counted)
     return counted->cell_b + counted->gap_b + counted->active_b;
 }
 
-/* Of the memory that they share the limits say how much it is in all. Pictures that are filled as polygons come take
- * gaps alone, and antialiased lines that are painted at once as many as polygons cross them: so those have their
- * number, and all else is cells. */
+/* Polygons that cross a line beyond those that idle memory holds, as far as `all_b` has room for them beside the least
+ * cells. */
+static uint16_t beyond_idle(struct usage *usage, uint32_t all_b, uint32_t others_b)
+{
+    const struct lim_counted *counted = &usage->memory.counted;
+    const uint32_t idle = counted->idle_b / counted->active_b;
+    const uint32_t crossing = most(usage->active, usage->cameras);
+    const uint32_t room = all_b > others_b ? (all_b - others_b) / counted->active_b : 0;
+    const uint32_t beyond = crossing > idle ? crossing - idle : 0;
+
+    return greater(within(beyond < room ? beyond : room), 1);
+}
+
+/* Of the memory that they share the limits say how much it is in all, in an MCU's bytes. Pictures that are filled as
+ * polygons come take gaps alone, and antialiased lines that are painted at once as many as polygons cross them: so
+ * those have their number. So has what crosses a line, which is larger in a program of 64 bits. All else is cells. */
 static void raise_shared(struct usage *usage, struct lim_limits *limits)
 {
     const struct lim_counted *counted = &usage->memory.counted;
@@ -254,8 +267,10 @@ static void raise_shared(struct usage *usage, struct lim_limits *limits)
     const uint16_t gaps = greater(most(usage->gaps, usage->cameras), at_once);
 
     limits->gaps = greater(limits->gaps, greater((uint16_t)(gaps + gaps / SHARED_MARGIN), 1));
-    limits->active = greater(limits->active, 1);
-    const uint32_t rest_b = (usage->closes_none ? 1 : limits->gaps) * counted->gap_b + counted->active_b;
+    const uint32_t gaps_b = (usage->closes_none ? 1 : limits->gaps) * counted->gap_b;
+    const uint32_t least_b = needs_least_cells(limits) * counted->cell_b;
+    limits->active = greater(limits->active, beyond_idle(usage, all_b, gaps_b + least_b));
+    const uint32_t rest_b = gaps_b + limits->active * counted->active_b;
     const uint32_t cells = all_b > rest_b ? (all_b - rest_b + counted->cell_b - 1) / counted->cell_b : 0;
     limits->retained_cells = greater(limits->retained_cells, greater(within(cells), needs_least_cells(limits)));
 }
