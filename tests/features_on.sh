@@ -24,7 +24,7 @@ features_frames=4
 # texture, transparency, a set.
 features_model() { # NAME: its model, its cameras, options
     case $1 in
-    icosahedron) echo sim/scenes/icosahedron.obj sim/scenes/teapot.cam ;;
+    icosahedron) echo sim/scenes/icosahedron.obj sim/scenes/teapot.cam --method convex ;;
     movers) echo sim/scenes/movers.gltf sim/scenes/movers.cam ;;
     knot) echo sim/scenes/knot.obj sim/scenes/knot.cam --method newell ;;
     mesh) echo sim/scenes/knot.obj sim/scenes/knot.cam --method mesh-depth ;;

@@ -401,7 +401,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     out->cameras.takes_times = is_render;
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
     if (!compile_options_settle(&out->compile, err)) return false;
-    if (!out->compile.method) out->setup.method = compile_options_draws(&out->compile);
+    out->setup.method = compile_options_draws(&out->compile);
     if (out->setup.method != LIM_NEWELL && (out->newell.planes_first || out->newell.split_one || out->newell.most))
         return error_set(err, "--newell: goes with --method newell");
     if (out->wireframe.on && !method_draws_wireframe(out->setup.method, err)) return false;

@@ -54,13 +54,14 @@ static size_t badness(const struct compile_report *report)
     return report->flash_b + report->splits * SPLIT_B + report->depth * LEVEL_B;
 }
 
-/* A convex solid's own method is the cheapest that draws it line by line; it has no antialiased edges. */
+/* Black and white displays have the smallest of microcontrollers: there a convex solid is drawn without a line of
+ * memory. Elsewhere its own method is no cheaper than others. */
 static enum lim_method draws_with(const struct compile_options *options, bool convex)
 {
-    if (options->method) return options->method->draws;
     const enum lim_method draws = compile_options_draws(options);
-    const bool is_solid = convex && !options->antialias && !options->framebuffer;
-    return is_solid && draws == LIM_NEAREST_FIRST ? LIM_CONVEX : draws;
+    const bool saves_lines =
+        convex && options->mono && !options->method && !options->antialias && !options->framebuffer;
+    return saves_lines && draws == LIM_NEAREST_FIRST ? LIM_CONVEX : draws;
 }
 
 /* What any scene has. */
@@ -146,7 +147,7 @@ static bool compile_triangles(struct compilation *work, struct compiled *out, st
         encoding.background = work->options->background;
         lim_image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, work->mesh, &encoding, &out->scene, TREE_MESH);
-        out->report.draws = draws_with(work->options, false);
+        out->report.draws = compile_options_draws(work->options);
         if (out->report.draws == LIM_MESH_DEPTH)
             ok = mesh_order_settle(out, work->options->core,
                                    mesh_order_share(work->options->core, work->options->wrong_percent), err);

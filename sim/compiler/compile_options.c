@@ -30,6 +30,7 @@ bool compile_method_parse(const char *text, struct compile_options *out, struct 
 
 enum lim_method compile_options_draws(const struct compile_options *options)
 {
+    if (options->method) return options->method->draws;
     if (options->tree == TREE_NONE) return LIM_NEWELL;
     return options->tree == TREE_MESH ? LIM_MESH_DEPTH : LIM_NEAREST_FIRST;
 }

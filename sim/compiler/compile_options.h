@@ -50,7 +50,7 @@ struct compile_options {
 /* --method: names how to draw and, for some methods, the tree. */
 bool compile_method_parse(const char *text, struct compile_options *out, struct error *err);
 
-/* Where no method is named: what draws such a tree. */
+/* The method that is named; else what draws such a tree. */
 enum lim_method compile_options_draws(const struct compile_options *options);
 
 /* The light that is baked into the model, and what goes with it. */

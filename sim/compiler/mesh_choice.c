@@ -41,7 +41,7 @@ static bool is_open(const struct compile_options *options, const struct compiled
     if (options->framebuffer || report->left_out) return false;
     if (order_needs_nearest(options, &scene->scene) || options->portals == PORTALS_ON || scene->scene.place_count)
         return false;
-    return !isnan(report->instructions) && !report->convex;
+    return !isnan(report->instructions);
 }
 
 /* Out of time, or no cheaper than the tree: it is none. */

@@ -401,7 +401,7 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
         (scene->report.wireframe && !sample_spans(&roomy, NULL, &setup, STYLE_WIREFRAME, &limits, err)) ||
         (scene->report.antialias && !sample_spans(&roomy, NULL, &setup, STYLE_ANTIALIAS, &limits, err)))
         return false;
-    if (scene->report.convex && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
+    if (scene->report.draws == LIM_CONVEX && !sample_convex(&roomy, &setup, &limits.active, err)) return false;
     lim_image_set_limits(scene, &limits);
     const bool is_known = frame_cost_knows(scene->report.draws);
     scene->report.instructions = is_known ? roomy.report.instructions : NAN;

@@ -153,7 +153,7 @@ bool portals_add(struct compiled *scene, const struct compile_options *options, 
     struct pvs pvs;
     struct error reason;
     const bool wanted = options->portals == PORTALS_ON;
-    const bool is_mesh = lim_scene_is_mesh(&scene->scene), has_none = is_mesh || scene->report.draws == LIM_CONVEX;
+    const bool is_mesh = lim_scene_is_mesh(&scene->scene), has_none = is_mesh || scene->report.convex;
     if (options->portals == PORTALS_OFF || (!wanted && has_none)) return true;
     progress("portals");
     if (has_none)

@@ -150,6 +150,8 @@ static void print_tree(const struct compiled *scene)
     if (report->mono) printf("  %-28s %8s\n", "light and tones", "for black and white pixels");
     if (report->wireframe) print_outlines(scene);
     if (report->convex) printf("  %-28s %8s\n", "one convex solid", "yes");
+    if (report->convex && report->draws != LIM_CONVEX)
+        printf("    less code and memory, more instructions: --method convex\n");
     if (report->tree != TREE_MESH) print_count("nodes", scene->scene.node_count);
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);

@@ -241,7 +241,9 @@ tap_check "the rooms compile to C for what changes, and round glass" prepare cha
 prepare_options=
 tap_check "the rooms compile to C for frames in parts" prepare parts sim/scenes/rooms.obj '2 1.6 2 6 1.4 7' '3 1.6 3 3.1 0.2 3.1'
 tap_check "the teapot compiles to C" prepare teapot sim/scenes/teapot.obj '0 1 3 0 0.4 0' '0.2 0.3 0.1 1 0.3 0.2'
+prepare_options='--method convex'
 tap_check "the icosahedron compiles to C" prepare icosahedron sim/scenes/icosahedron.obj '0 1 3 0 0 0' '0.8 0.6 0.4 0.3 0.3 0'
+prepare_options=
 tap_check "the glass compiles to C" prepare glass sim/scenes/glass.obj '1 1.5 4 0 0.9 0' '0.1 0.9 0.3 1 0.6 0.5'
 tap_check "the report calls it one convex solid" grep -qE 'one convex solid +yes' "$work/icosahedron/report"
 tap_check "the rooms with movers compile to C" prepare moving sim/scenes/movers.gltf '-3.7 1.5 1.6 0 1.1 -0.4' '0.6 1.5 0.2 2.6 1.3 0'

@@ -9,5 +9,6 @@
 frames_on sim/scenes/rooms 96x64 microbit m4 m4:-Os
 cp sim/scenes/icosahedron.obj "$work/solid.obj"
 cp sim/scenes/teapot.cam "$work/solid.cam"
+frames_options='--method convex'
 frames_on "$work/solid" 96x64 microbit m4 m4:-Os
 tap_done

@@ -5,25 +5,27 @@
 . tests/tap.sh
 . sim/targets/targets.sh
 
-scenes='teapot icosahedron'
+scenes='teapot glass'
 
 compile_both() {
-    "$BUILD/limner" compile sim/scenes/teapot.obj sim/scenes/icosahedron.obj --size 96x64 -o "$work/level" \
+    "$BUILD/limner" compile sim/scenes/teapot.obj sim/scenes/glass.obj --size 96x64 -o "$work/level" \
         >"$work/report" || return 1
     (cd "$work" && echo level*) >"$work/files"
-    grep -qx 'level.h level_icosahedron.c level_icosahedron.lim level_teapot.c level_teapot.lim' "$work/files" &&
-        grep -q '^.*/level_teapot$' "$work/report" && grep -q '^.*/level_icosahedron$' "$work/report"
+    grep -qx 'level.h level_glass.c level_glass.lim level_teapot.c level_teapot.lim' "$work/files" &&
+        grep -q '^.*/level_teapot$' "$work/report" && grep -q '^.*/level_glass$' "$work/report"
 }
 
 defined() { # MACRO VALUE: in the shared header
     grep -qx "#define $1 $2" "$work/level.h"
 }
 
-# The teapot needs scan lines, the icosahedron the convex method; the larger polygons are the teapot's.
+# The teapot needs scan lines, the glass nearest first; its polygons are the larger ones.
 union_of_needs() {
     "$BUILD/limner" compile sim/scenes/teapot.obj --size 96x64 -o "$work/alone" >/dev/null &&
-        defined LIM_HAS_SCANLINE 1 && defined LIM_HAS_CONVEX 1 && defined LIM_HAS_PAINTER 0 &&
-        grep -qx '#define LIM_HAS_CONVEX 0' "$work/alone.h" && grep 'LIM_MAX_VERTICES [0-9]' "$work/alone.h" >"$work/most" &&
+        defined LIM_HAS_SCANLINE 1 && defined LIM_HAS_NEAREST 1 && defined LIM_HAS_PAINTER 0 &&
+        grep -qx '#define LIM_HAS_NEAREST 0' "$work/alone.h" &&
+        "$BUILD/limner" compile sim/scenes/glass.obj --size 96x64 -o "$work/other" >/dev/null &&
+        grep 'LIM_MAX_VERTICES [0-9]' "$work/other.h" >"$work/most" && ! grep -qxF -f "$work/most" "$work/alone.h" &&
         grep -qxF -f "$work/most" "$work/level.h"
 }
 
@@ -39,8 +41,8 @@ expect() { # NAME: frames of the scene alone
 
 shows_both() { # CORE
     target_link "$1" "$work/$1" -I"$work" -DLIM_CONFIG='"level.h"' tests/scenes/main.c "$work/level_teapot.c" \
-        "$work/level_icosahedron.c" firmware/*.c firmware/*/*.c && target_run "$1" "$work/$1" >"$work/$1.hashes" || return 1
-    cat "$work/teapot.hashes" "$work/icosahedron.hashes" "$work/teapot.hashes" | diff - "$work/$1.hashes"
+        "$work/level_glass.c" firmware/*.c firmware/*/*.c && target_run "$1" "$work/$1" >"$work/$1.hashes" || return 1
+    cat "$work/teapot.hashes" "$work/glass.hashes" "$work/teapot.hashes" | diff - "$work/$1.hashes"
 }
 
 refused() { # PATTERN MODEL...: one line, no file

@@ -69,7 +69,7 @@ renderer_is_not_fitted() {
     part "$work/main.o" "$work/main.c" "$fitted" &&
         ! "$CC" -o "$work/program" "$work/main.o" "$work/model.o" "$work"/whole/*.o 2>"$work/said" || return 1
     cat "$work/said"
-    grep -q 'undefined reference to .lim_init\.needs_same_LIM_CONFIG\.v[0-9_]*\.fast_7\.64px.*\.convex' "$work/said"
+    grep -q 'undefined reference to .lim_init\.needs_same_LIM_CONFIG\.v[0-9_]*\.fast_7\.64px.*\.scanline' "$work/said"
 }
 
 scene_is_apart() {

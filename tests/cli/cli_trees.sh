@@ -75,9 +75,16 @@ says_nothing() {
         "$BUILD/limner" compile sim/scenes/teapot.obj $asked --report >"$work/report" &&
             ! grep chosen: "$work/report" && grep -q '^  tree  *bsp$' "$work/report" || return 1
     done
-    "$BUILD/limner" compile sim/scenes/icosahedron.obj --tree auto --report >"$work/report" && ! grep chosen: "$work/report"
+    "$BUILD/limner" compile sim/scenes/icosahedron.obj --method convex --report >"$work/report" && ! grep chosen: "$work/report"
 }
-tap_check "no choice where a tree is asked for, nothing is predicted, or the solid is convex" says_nothing
+tap_check "no choice where a tree is asked for, nothing is predicted, or by a convex solid's own method" says_nothing
+solid_scans() {
+    "$BUILD/limner" compile sim/scenes/icosahedron.obj --report >"$work/report" &&
+        grep -q 'by scan lines$' "$work/report" && grep -q 'less code and memory.*--method convex$' "$work/report" &&
+        "$BUILD/limner" compile sim/scenes/icosahedron.obj --panel ssd1306 --report >"$work/report" &&
+        grep -q 'as one convex solid$' "$work/report"
+}
+tap_check "a convex solid is drawn by scan lines, but on black and white displays, without a line" solid_scans
 
 # What has no order is drawn by methods that make one, and by no other.
 sets() {

@@ -9,5 +9,6 @@ frames_options=--wireframe
 frames_in_turn 3 sim/scenes/glass 80x60 host m0plus m3 rv32 avr powerpc avr:-Os
 cp sim/scenes/icosahedron.obj "$work/solid.obj"
 cp sim/scenes/teapot.cam "$work/solid.cam"
+frames_options='--wireframe --method convex'
 frames_in_turn 1 "$work/solid" 80x60 host m0plus rv32 avr powerpc
 tap_done

@@ -20,7 +20,9 @@ kinds_on() { # CORE[:FLAG]...
     kind draft sim/scenes/teapot 80x60 "$1"
     cp sim/scenes/icosahedron.obj "$work/solid.obj"
     cp sim/scenes/teapot.cam "$work/solid.cam"
+    frames_options='--method convex'
     kind exact "$work/solid" 80x60 "$1"
+    frames_options=
     kind fast "$BUILD/scenes/textured/textured" 80x60 "$1"
     kind draft sim/scenes/glass 80x60 "$1"
     frames_options=--delta

@@ -117,7 +117,7 @@ in_clang() { # FOLDER
 tap_check "rooms, nearest first" draws rooms $scenes/rooms.obj $scenes/rooms.cam
 tap_check "its main file is C++11" in_cplusplus c++11
 tap_check "the teapot, by scan lines, in profile exact" draws teapot $scenes/teapot.obj $scenes/teapot.cam --precision exact
-tap_check "a convex solid" draws icosahedron $scenes/icosahedron.obj - --precision draft
+tap_check "a convex solid" draws icosahedron $scenes/icosahedron.obj - --method convex --precision draft
 tap_check "glass, with smooth edges" draws glass $scenes/glass.obj $scenes/glass.cam
 tap_check "what moves" draws movers $scenes/movers.gltf $scenes/movers.cam
 tap_check "by their centres" draws centre $scenes/movers.gltf $scenes/movers.cam --movers centre

@@ -81,7 +81,7 @@ is_no_larger() { # CORE NAME MODEL OPTION...
 }
 
 scenes=sim/scenes
-tap_check "a convex solid on Cortex-M0+" is_no_larger m0plus icosahedron $scenes/icosahedron.obj
+tap_check "a convex solid on Cortex-M0+" is_no_larger m0plus icosahedron $scenes/icosahedron.obj --method convex
 tap_check "rooms, nearest first, on Cortex-M4" is_no_larger m4 rooms $scenes/rooms.obj
 tap_check "the teapot, by scan lines, in profile exact on Cortex-M0+" is_no_larger m0plus teapot $scenes/teapot.obj --precision exact
 tap_check "glass with smooth edges as RV32IMC" is_no_larger rv32 glass $scenes/glass.obj --antialias

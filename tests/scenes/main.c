@@ -12,8 +12,8 @@
 #include "teapot_cameras.h"
 #undef cameras
 #undef CAMERAS_H
-#define cameras icosahedron_cameras
-#include "icosahedron_cameras.h"
+#define cameras glass_cameras
+#include "glass_cameras.h"
 #undef cameras
 
 static struct lim lim;
@@ -75,7 +75,7 @@ int main(void)
 {
     int err = render(&level_teapot_scene, LEVEL_TEAPOT_SCENE_METHOD, teapot_cameras);
 
-    if (!err) err = render(&level_icosahedron_scene, LEVEL_ICOSAHEDRON_SCENE_METHOD, icosahedron_cameras);
+    if (!err) err = render(&level_glass_scene, LEVEL_GLASS_SCENE_METHOD, glass_cameras);
     if (!err) err = render(&level_teapot_scene, LEVEL_TEAPOT_SCENE_METHOD, teapot_cameras);
     return err != 0;
 }

@@ -52,6 +52,7 @@ scene() { # NAME: its model, and options
     opacity) echo tests/models/opacity.obj ;;
     changing) echo sim/scenes/rooms.obj --delta ;;
     distance) echo sim/scenes/knot.obj --method mesh ;;
+    icosahedron) echo sim/scenes/icosahedron.obj --method convex ;;
     *) echo "sim/scenes/$1.obj" ;;
     esac
 }
