@@ -352,24 +352,28 @@ struct lim_mesh_depths {
     lim_index from; /* triangles from this one on have depth */
 };
 
+/* Triangles that cross the line, and have no room in the pool: from far to near, linked by their numbers. */
+struct lim_mesh_crowd {
+    lim_index first, last; /* LIM_NO_INDEX: there are none */
+    lim_mesh_rank rank;    /* of the last one */
+};
+
 struct lim_mesh {
     struct lim_pass *pass;
     struct lim_point *points; /* of all vertices, on the screen */
     uint16_t *nearness; /* of all vertices: 1 / z, at least 1; 0: before the near plane or beyond the guard band */
-    lim_index *links;   /* from a triangle to the next one that begins on the same line */
+    lim_index *links;   /* from a triangle to the next one that begins on the same line, or of the crowd */
     lim_index *tops;    /* for each line the first that begins there, or LIM_NO_INDEX */
     struct lim_mesh_active *pool, *free;
     struct lim_mesh_active *first;  /* of those that cross the line, in their order */
     struct lim_mesh_active *begins; /* of those that begin on it, likewise */
     struct lim_mesh_active end;     /* of all lists */
-    lim_index alive;                /* of lines that the pool is too small for: triangles that may cross the next */
-    uint16_t alive_from;            /* tops[] from this line on are not among them */
-    uint16_t pool_size, unused;     /* unused: entries from here on */
-    uint8_t near_shift;             /* of lim_view_all(), or lim_view_finer() */
-    uint8_t extent;                 /* enum lim_view_extent */
-    uint16_t nearest;               /* where that is LIM_VIEW_CLIPPED: nearness of all that is linked, OR'ed */
-    uint32_t parts;                 /* lim_bands() */
-    bool is_complete;               /* `first` has all that cross the last line */
+    struct lim_mesh_crowd crowd;
+    uint16_t pool_size, unused; /* unused: entries from here on */
+    uint8_t near_shift;         /* of lim_view_all(), or lim_view_finer() */
+    uint8_t extent;             /* enum lim_view_extent */
+    uint16_t nearest;           /* where that is LIM_VIEW_CLIPPED: nearness of all that is linked, OR'ed */
+    uint32_t parts;             /* lim_bands() */
     LIM_OPTIONAL(struct lim_mesh_depths, depths, LIM_HAS_MESH_DEPTH);
     LIM_OPTIONAL(struct lim_mesh_looks, looks, LIM_HAS_TEXTURE);
 };

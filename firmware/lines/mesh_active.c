@@ -42,9 +42,12 @@ static inline uint16_t mesh_colour_of(const struct lim_mesh *mesh, lim_index tri
     return lim_memory_colour((uint16_t)lim_mesh_triangle(mesh, triangle)[3]);
 }
 
-static inline bool mesh_is_within(const struct lim_mesh_range *range, lim_mesh_rank rank)
+/* NULL: there is none to be left out. */
+static inline bool is_left_out(struct lim_mesh_trial *trial, lim_mesh_rank rank)
 {
-    return rank >= range->from && rank < range->below;
+    if (!trial) return false;
+    trial->rank = rank;
+    return rank < trial->from;
 }
 
 /* A part of a fan: shape and corners. false: it has no pixels. */
@@ -117,14 +120,13 @@ static void take_out(struct lim_mesh *mesh, lim_mesh_rank rank)
             link = &(*link)->next;
 }
 
-static LIM_RARE bool begin_clipped(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_range *range)
+static LIM_RARE bool begin_clipped(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_trial *trial)
 {
     struct lim_mesh_clipped clipped;
 
     if (!lim_mesh_clip(mesh, triangle, &clipped)) return true;
     const lim_mesh_rank rank = lim_mesh_rank_of(nearness_of(&clipped), triangle);
-    if (range && !mesh_is_within(range, rank)) return true;
-    if (range) range->tried = rank;
+    if (is_left_out(trial, rank)) return false;
     if (!clipped.shape.non_monotone) return begin_part(mesh, &clipped, triangle, 0, rank, y);
     for (uint8_t part = 1; part + 1u < clipped.n; part++) {
         if (begin_part(mesh, &clipped, triangle, part, rank, y)) continue;
@@ -294,19 +296,23 @@ static LIM_RARE void add_depth(const struct lim_mesh *mesh, struct lim_mesh_acti
     lim_mesh_depth_set(active, at, near, y);
 }
 
-/* `range`: NULL, or those of other ranks are left out. *last: as in mesh_insert(). */
+static inline lim_mesh_rank rank_of_three(uint32_t near_a, uint32_t near_b, uint32_t near_c, lim_index triangle)
+{
+    return lim_mesh_rank_of((near_a + near_b + near_c) / 2, triangle);
+}
+
+/* `trial`: NULL, or as in lim_mesh_try(). *last: as in mesh_insert(). */
 static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_index *triangles, lim_index triangle,
-                                  uint16_t y, struct lim_mesh_range *range, struct lim_mesh_active **last)
+                                  uint16_t y, struct lim_mesh_trial *trial, struct lim_mesh_active **last)
 {
     const LIM_FLASH lim_index *corners = triangles + (size_t)triangle * LIM_TRIANGLE_WORDS;
     const lim_index a = corners[0], b = corners[1], c = corners[2];
     const uint32_t near_a = mesh->nearness[a], near_b = mesh->nearness[b], near_c = mesh->nearness[c];
 
     if (LIM_UNLIKELY(mesh->extent == LIM_VIEW_CLIPPED) && (!near_a || !near_b || !near_c))
-        return begin_clipped(mesh, triangle, y, range);
-    const lim_mesh_rank rank = lim_mesh_rank_of((near_a + near_b + near_c) / 2, triangle);
-    if (range && !mesh_is_within(range, rank)) return true;
-    if (range) range->tried = rank;
+        return begin_clipped(mesh, triangle, y, trial);
+    const lim_mesh_rank rank = rank_of_three(near_a, near_b, near_c, triangle);
+    if (is_left_out(trial, rank)) return false;
     struct lim_mesh_active *active = lim_mesh_new(mesh);
     if (LIM_UNLIKELY(!active)) return false;
     active->rank = rank;
@@ -324,22 +330,33 @@ static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_ind
     return true;
 }
 
-bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y)
+lim_index lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y)
 {
     const LIM_FLASH lim_index *const triangles = mesh->pass->scene->polygons;
     const lim_index *const links = mesh->links;
     struct lim_mesh_active *last = &mesh->end;
 
     for (lim_index triangle = mesh->tops[y]; triangle != LIM_NO_INDEX; triangle = links[triangle])
-        if (!mesh_begin(mesh, triangles, triangle, y, NULL, &last)) return false;
-    return true;
+        if (!mesh_begin(mesh, triangles, triangle, y, NULL, &last)) return triangle;
+    return LIM_NO_INDEX;
 }
 
-bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_range *range)
+bool lim_mesh_try(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_trial *trial,
+                  struct lim_mesh_active **last)
 {
-    struct lim_mesh_active *last = &mesh->end;
+    return mesh_begin(mesh, mesh->pass->scene->polygons, triangle, y, trial, last);
+}
 
-    return mesh_begin(mesh, mesh->pass->scene->polygons, triangle, y, range, &last);
+lim_mesh_rank lim_mesh_find_rank(const struct lim_mesh *mesh, lim_index triangle)
+{
+    const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, triangle);
+    struct lim_mesh_clipped clipped;
+
+    if (!lim_mesh_is_cut(mesh, corners)) {
+        const uint16_t *const nearness = mesh->nearness;
+        return rank_of_three(nearness[corners[0]], nearness[corners[1]], nearness[corners[2]], triangle);
+    }
+    return lim_mesh_clip(mesh, triangle, &clipped) ? lim_mesh_rank_of(nearness_of(&clipped), triangle) : 0;
 }
 
 static void turn_clipped(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)

@@ -17,6 +17,12 @@ static inline lim_mesh_rank lim_mesh_rank_of(uint32_t nearness, lim_index triang
     return (lim_mesh_rank)nearness << 8 * sizeof(lim_index) | triangle;
 }
 
+/* Of a coordinate: a line, or a column, of the screen or beside it. */
+static inline int32_t lim_mesh_row_at(int32_t at)
+{
+    return lim_edge_row((lim_edge_sub)at) + LIM_ORIGIN_PX;
+}
+
 /* Whether a triangle has depth at each pixel. */
 static inline bool lim_mesh_is_deep(const struct lim_mesh *mesh, lim_index triangle)
 {
@@ -84,17 +90,23 @@ static LIM_INLINE int32_t lim_mesh_edge_next(struct lim_mesh_edge *edge)
 /* All of them. */
 void lim_mesh_clear(struct lim_mesh *mesh);
 
-/* The triangles that begin on line y: into mesh->begins, in their order. false: the pool has no room. */
-bool lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y);
+/* The triangles that begin on line y: into mesh->begins, in their order. Returns the first for which the pool has no
+ * room; it and those behind it did not begin. LIM_NO_INDEX: all did. */
+lim_index lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y);
 
-/* Ranks from <= rank < below; and that of the triangle for which there was no room last. */
-struct lim_mesh_range {
-    lim_mesh_rank from, below;
-    lim_mesh_rank tried; /* that of the triangle that was begun last, if there was room or not */
+/* A triangle that is tried. */
+struct lim_mesh_trial {
+    lim_mesh_rank from; /* it begins only if its rank is no less; */
+    lim_mesh_rank rank; /* which is found */
 };
 
-/* A triangle that has line y, likewise; if its rank is not within a range it is left out. */
-bool lim_mesh_begin_within(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_range *range);
+/* A triangle that has line y, likewise. false: its rank is less, or there is no room. *last: &mesh->end, or the entry
+ * that begun before, if that is still in the list; set to the new one, but of what is clipped. */
+bool lim_mesh_try(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_trial *trial,
+                  struct lim_mesh_active **last);
+
+/* The rank that a triangle has when it begins; of what has no pixels any. */
+lim_mesh_rank lim_mesh_find_rank(const struct lim_mesh *mesh, lim_index triangle);
 
 /* Finds the edges for line y anew: LIM_MESH_ANEW. */
 void lim_mesh_turn(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * Vertices, then triangles into their lines, then lines from the top down. A line for which the pool is too small is
- * painted in parts, each of as many triangles as there is room for, in their order; the picture is the same. */
+ * Vertices, then triangles into their lines, then lines from the top down. */
 #include "orders/mesh_frame.h"
 
 #include "lines/mesh_active.h"
+#include "lines/mesh_crowd.h"
 #include "lines/mesh_line.h"
 #include "lines/overlaid.h"
 #include "math/fixed.h"
@@ -17,12 +17,9 @@
 #if LIM_HAS_MESHES
 
 enum { REFINED_BITS = 13 }; /* of nearness at most: a plane that is not quite right keeps within 16 */
-/* All parts of one clipped triangle find room. */
-enum { LEAST_ACTIVE = MESH_FAN + 1 };
-
 static uint16_t active_of(const struct lim_scene *scene, bool least)
 {
-    return least || scene->limits.active < LEAST_ACTIVE ? LEAST_ACTIVE : scene->limits.active;
+    return least || scene->limits.active < MESH_LEAST_ACTIVE ? MESH_LEAST_ACTIVE : scene->limits.active;
 }
 
 static size_t mem_b_of(const struct lim_scene *scene, const struct lim_target *target, uint16_t active)
@@ -83,17 +80,11 @@ static inline int32_t mesh_most_of(int32_t a, int32_t b, int32_t c)
     return ab > c ? ab : c;
 }
 
-/* Of a coordinate: a line, or a column, of the screen or beside it. */
-static inline int32_t mesh_row_at(int32_t at)
-{
-    return lim_edge_row((lim_edge_sub)at) + LIM_ORIGIN_PX;
-}
-
 /* Lines that a triangle may have, on the screen or not. */
 static inline struct lim_span_extent lines_of(lim_packed a, lim_packed b, lim_packed c)
 {
-    const struct lim_span_extent lines = {(int16_t)mesh_row_at(lim_packed_least_y(a, b, c)),
-                                          (int16_t)mesh_row_at(lim_packed_most_y(a, b, c))};
+    const struct lim_span_extent lines = {(int16_t)lim_mesh_row_at(lim_packed_least_y(a, b, c)),
+                                          (int16_t)lim_mesh_row_at(lim_packed_most_y(a, b, c))};
     return lines;
 }
 
@@ -139,8 +130,8 @@ static LIM_RARE void link_clipped(struct lim_mesh *mesh, lim_index triangle)
 /* To the left or right of the screen. */
 static inline bool mesh_is_beside(const struct lim_mesh *mesh, lim_packed a, lim_packed b, lim_packed c)
 {
-    const int32_t left = mesh_row_at(mesh_least_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c)));
-    const int32_t right = mesh_row_at(mesh_most_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c)));
+    const int32_t left = lim_mesh_row_at(mesh_least_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c)));
+    const int32_t right = lim_mesh_row_at(mesh_most_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c)));
 
     return right <= 0 || left >= mesh->pass->target.w_px;
 }
@@ -204,103 +195,6 @@ static LIM_RARE void refine(struct lim_mesh *mesh)
                        &mesh->near_shift);
 }
 
-/* Lines in parts -------------------------------------------------------------------------------------------------- */
-
-/* Triangles that may have line y or one below it become one list. */
-static void keep_alive(struct lim_mesh *mesh, uint16_t y)
-{
-    for (; mesh->alive_from <= y; mesh->alive_from++) {
-        for (lim_index triangle = mesh->tops[mesh->alive_from]; triangle != LIM_NO_INDEX;) {
-            const lim_index next = mesh->links[triangle];
-            mesh->links[triangle] = mesh->alive;
-            mesh->alive = triangle;
-            triangle = next;
-        }
-    }
-}
-
-static int32_t bottom_of_triangle(const struct lim_mesh *mesh, lim_index triangle)
-{
-    const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, triangle);
-    const lim_index i = corners[0], j = corners[1], k = corners[2];
-
-    if (!mesh->nearness[i] || !mesh->nearness[j] || !mesh->nearness[k]) {
-        struct lim_mesh_clipped clipped;
-        return lim_mesh_clip(mesh, triangle, &clipped) ? clipped.shape.bottom : INT16_MIN;
-    }
-    return lines_of(lim_packed_load(&mesh->points[i]), lim_packed_load(&mesh->points[j]),
-                    lim_packed_load(&mesh->points[k]))
-        .bottom;
-}
-
-/* Takes the last one out of the list, and all of its rank. Returns that. */
-static lim_mesh_rank drop_last(struct lim_mesh *mesh)
-{
-    struct lim_mesh_active **link = &mesh->begins;
-    lim_mesh_rank last = 0;
-
-    for (struct lim_mesh_active *active = mesh->begins; active != &mesh->end; active = active->next)
-        last = active->rank;
-    while (*link != &mesh->end)
-        if ((*link)->rank == last)
-            lim_mesh_give_back(mesh, link);
-        else
-            link = &(*link)->next;
-    return last;
-}
-
-/* There is no room for the triangle that was tried. What is last in the order, of it and of those that are there, waits
- * for another part. So the first is always painted, and each part has one at least: with nothing beside it there is
- * room for any in cleared pools. */
-static void make_room(struct lim_mesh *mesh, struct lim_mesh_range *range)
-{
-    lim_mesh_rank last = 0;
-
-    if (mesh->begins == &mesh->end) {
-        lim_mesh_clear(mesh);
-        return;
-    }
-    for (const struct lim_mesh_active *active = mesh->begins; active != &mesh->end; active = active->next)
-        last = active->rank;
-    range->below = range->tried > last ? range->tried : drop_last(mesh);
-}
-
-/* Into mesh->begins, of all that have line y, those of rank `from` on, as many as there is room for. Returns the rank
- * of the first for which there is none. */
-static lim_mesh_rank gather(struct lim_mesh *mesh, lim_mesh_rank from, uint16_t y)
-{
-    struct lim_mesh_range range = {from, mesh->end.rank, 0};
-    lim_index *link = &mesh->alive;
-
-    lim_mesh_clear(mesh);
-    while (*link != LIM_NO_INDEX) {
-        const lim_index triangle = *link;
-        if (bottom_of_triangle(mesh, triangle) <= (int32_t)y) {
-            *link = mesh->links[triangle];
-            continue;
-        }
-        while (!lim_mesh_begin_within(mesh, triangle, y, &range))
-            make_room(mesh, &range);
-        link = &mesh->links[triangle];
-    }
-    return range.below;
-}
-
-static LIM_RARE void paint_parts(struct lim_mesh *mesh, const struct lim_mesh_line *line)
-{
-    lim_mesh_rank from = 0, below;
-
-    keep_alive(mesh, line->y);
-    do {
-        below = gather(mesh, from, line->y);
-        lim_mesh_paint(mesh, line);
-        mesh->is_complete = !from && below == mesh->end.rank;
-        if (!mesh->is_complete) mesh->parts++;
-        from = below;
-    } while (below != mesh->end.rank);
-    if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->bands = mesh->parts;
-}
-
 /* A frame --------------------------------------------------------------------------------------------------------- */
 
 static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y)
@@ -312,10 +206,12 @@ static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y)
     if (!line.pixels) return LIM_ERR_TARGET;
     if (LIM_HAS_ROUND && lim_target_is_round(target)) lim_target_visible(target, y, &line.x0, &line.x1);
     lim_mesh_clean(mesh, &line);
-    if (mesh->is_complete && lim_mesh_begin_all(mesh, y))
-        lim_mesh_paint(mesh, &line);
+    const bool is_crowded = mesh->crowd.first != LIM_NO_INDEX;
+    const lim_index left = is_crowded ? mesh->tops[y] : lim_mesh_begin_all(mesh, y);
+    if (is_crowded || left != LIM_NO_INDEX)
+        lim_mesh_paint_crowded(mesh, &line, left);
     else
-        paint_parts(mesh, &line);
+        lim_mesh_paint(mesh, &line);
     lim_overlay_line(pass, line.pixels, y, line.x0, line.x1);
     return target->done(target->ctx, y, line.x0, (uint16_t)(line.x1 - line.x0));
 }
@@ -329,9 +225,7 @@ int lim_mesh_frame(struct lim_mesh *mesh)
     if (mesh->extent == LIM_VIEW_CLIPPED) refine(mesh);
     if (LIM_HAS_TEXTURE) lim_mesh_texture_frame(mesh);
     lim_mesh_clear(mesh);
-    mesh->alive = LIM_NO_INDEX;
-    mesh->alive_from = 0;
-    mesh->is_complete = true;
+    mesh->crowd.first = LIM_NO_INDEX;
     mesh->parts = 0;
     if (LIM_HAS_MESH_DEPTH) mesh->depths->y = LIM_NONE;
     for (uint_fast16_t y = 0; y < pass->target.h_px; y++) {

@@ -95,6 +95,47 @@ static void any_memory_gives_the_same_picture(void **state)
     assert_true(parts > 0);
 }
 
+/* How often triangles began, with all memory and with three quarters of the pool. */
+static uint64_t began, began_in_less;
+
+static uint32_t begins_with(const struct core *core, enum lim_method method, const struct lim_camera *camera,
+                            size_t mem_b)
+{
+    struct soup_view view;
+
+    begin(&view, core, method, mem_b);
+    assert_int_equal(soup_view_draw(&view, camera), LIM_OK);
+    const uint32_t count = core->stats(view.lim)->polygons_seen;
+    soup_view_free(&view);
+    return count;
+}
+
+static void try_less(const struct core *core, struct random *random, enum lim_method method, unsigned kind)
+{
+    const struct lim_camera camera = make(random, kind);
+    const struct lim_target target = {.w_px = W_PX, .h_px = H_PX, .method = method};
+    struct soup_view view;
+
+    begin(&view, core, method, core->mem_b(&soup.scene, &target));
+    assert_int_equal(soup_view_draw(&view, &camera), LIM_OK);
+    const uint16_t limit = soup.scene.limits.active, crossing = core->stats(view.lim)->active_max;
+    soup_view_free(&view);
+    began += begins_with(core, method, &camera, core->mem_b(&soup.scene, &target));
+    soup.scene.limits.active = (uint16_t)(crossing * 3 / 4);
+    began_in_less += begins_with(core, method, &camera, core->mem_b(&soup.scene, &target));
+    soup.scene.limits.active = limit;
+}
+
+/* Before, each line that was too full began all of its triangles anew. */
+static void few_begin_again_in_a_little_less_memory(void **state)
+{
+    (void)state;
+    try_all(try_less, 60, 102);
+    print_message("began %llu, in less memory %llu\n", (unsigned long long)began, (unsigned long long)began_in_less);
+    assert_true(began_in_less > began);
+    assert_true(2 * began_in_less < 5 * began);
+}
+
 static void try_no_depth(const struct core *core, struct random *random, enum lim_method method, unsigned kind)
 {
     static uint16_t by_distance[PICTURE_B / 2];
@@ -396,6 +437,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_memory_gives_the_same_picture),
+        cmocka_unit_test(few_begin_again_in_a_little_less_memory),
         cmocka_unit_test(without_depth_distance_decides),
         cmocka_unit_test(a_frame_leaves_nothing_for_the_next),
         cmocka_unit_test(a_frame_in_parts_is_the_same),
