@@ -322,9 +322,10 @@ struct lim_edge_shape {
     LIM_OPTIONAL(int16_t, end_row, LIM_HAS_ANTIALIAS); /* the row of samples (samples.h) after its last, antialiased */
 };
 
-/* A boundary, in rows of samples and sixteenths of a pixel, from LIM_STRIP_BIAS_PX before the screen on (samples.h). */
+/* A boundary, in rows of samples and samples of a row, a quarter of a pixel each, from LIM_STRIP_BIAS_PX before the
+ * screen on (samples.h). */
 struct lim_sample_edge {
-    uint32_t x_q16, step_q16; /* sums may wrap */
+    uint32_t x_q16, step_q16; /* x: on the last row; sums may wrap */
     int16_t end;              /* the row on which it hands over to the next edge */
     uint8_t next, step_vertex;
 };

@@ -196,12 +196,11 @@ static LIM_ALONE bool close_through(struct lim_spans *spans, struct lim_sample_e
                                     struct seen_lines *seen)
 {
     struct lim_line *line = &spans->lines[y], *const after = &spans->lines[end];
-    uint32_t left_q16 = edges->left.x_q16, right_q16 = edges->right.x_q16;
     struct lim_line *top = seen->top, *last = seen->last;
 
     do {
-        const struct lim_bound left = lim_bound_step(&left_q16, edges->left.step_q16),
-                               right = lim_bound_step(&right_q16, edges->right.step_q16);
+        const struct lim_bound left = lim_bound_step(&edges->left.x_q16, edges->left.step_q16),
+                               right = lim_bound_step(&edges->right.x_q16, edges->right.step_q16);
         const enum lim_span_result result = close_line(spans, line, left, right);
         if (result == LIM_SPAN_NOTHING) continue;
         if (result == LIM_SPAN_EXHAUSTED) return false;
@@ -209,8 +208,6 @@ static LIM_ALONE bool close_through(struct lim_spans *spans, struct lim_sample_e
         last = line;
     } while (++line < after);
     *seen = (struct seen_lines){top, last};
-    edges->left.x_q16 = left_q16;
-    edges->right.x_q16 = right_q16;
     return true;
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * An edge is a straight line in whole numbers: its column on a row is a start and a step. So of two edges that are in
+ * An edge is a straight line in whole numbers: where it is on a row is a start and a step. So of two edges that are in
  * the same order on the first row of a run and on its last, each row between has them in that order, and so have their
  * samples, which are rounded alike. Nearest first, each polygon's two edges are compared with those of what is open, at
  * both ends; where an edge crosses another on the way, the run is made shorter. */
@@ -40,12 +40,12 @@ static inline void set_edge(struct piece *piece, const struct lim_sample_edge *e
     piece->last_q16 = edge->x_q16 + (uint32_t)(lines * LIM_SAMPLE_ROWS) * edge->step_q16;
 }
 
-/* Column 4 v is that of sample v in every row, however it is shifted. */
+/* Of each row the same sample, whatever its shift. */
 static inline void set_side(struct piece *piece, uint16_t x_px)
 {
-    const uint32_t column = (uint32_t)(x_px + LIM_STRIP_BIAS_PX) * LIM_SAMPLE_COLUMNS;
+    const uint32_t sample = (uint32_t)(x_px + LIM_STRIP_BIAS_PX) * LIM_SAMPLES_A_ROW;
 
-    piece->x_q16 = piece->first_q16 = piece->last_q16 = column << 16;
+    piece->x_q16 = piece->first_q16 = piece->last_q16 = (sample << 16) + (uint32_t)LIM_COLUMN_Q16;
     piece->step_q16 = 0;
 }
 
@@ -60,7 +60,7 @@ static inline enum order order_of(const struct piece *a, const struct piece *b)
 
 static uint32_t distance_of(uint32_t a, uint32_t b)
 {
-    return (a > b ? a - b : b - a) >> 13; /* below 2^19: times rows below 2^32 */
+    return (a > b ? a - b : b - a) >> 11; /* below 2^18: times rows below 2^32 */
 }
 
 /* A guess, which is looked at as the first one is: about the line where they cross. false, always. */
@@ -235,7 +235,7 @@ static inline void mix_slope(uint16_t *line, const struct lim_bound *bound, uint
 static LIM_ALONE struct piece *draw_pieces(uint16_t *line, const struct pieces *pieces, struct counted *counted)
 {
     struct piece *piece = pieces->at, *const last = piece + pieces->count - 1;
-    uint32_t from = (piece->x_q16 >> 16) / LIM_SAMPLE_COLUMNS;
+    uint32_t from = (piece->x_q16 >> 16) / LIM_SAMPLES_A_ROW;
 
     for (; piece < last; piece++) {
         const struct lim_bound bound = lim_bound_step(&piece[1].x_q16, piece[1].step_q16);
@@ -254,7 +254,7 @@ static LIM_ALONE struct piece *draw_pieces(uint16_t *line, const struct pieces *
             mix_slope(line, &bound, x0, from, piece, counted);
         }
     }
-    fill_to(line, from, (piece[1].x_q16 >> 16) / LIM_SAMPLE_COLUMNS, piece, counted);
+    fill_to(line, from, (piece[1].x_q16 >> 16) / LIM_SAMPLES_A_ROW, piece, counted);
     return piece;
 }
 
@@ -263,7 +263,7 @@ static LIM_RARE void mix_line(struct lim_smooth_sink *sink, const struct pieces 
 {
     struct lim_strip strip;
 
-    strip.left = lim_bound_at(((int32_t)(pieces->at[0].x_q16 >> 18)) - LIM_STRIP_BIAS);
+    strip.left = lim_bound_at(((int32_t)(pieces->at[0].x_q16 >> 16)) - LIM_STRIP_BIAS);
     for (uint_fast16_t i = 0; i < pieces->count; i++) {
         const struct piece *piece = &pieces->at[i];
         uint32_t x_q16 = piece[1].x_q16;

@@ -19,7 +19,7 @@ LIM_ALONE uint16_t *lim_strips_close_crossing(const struct lim_strip *strip, str
             gap->open.right = common.left;
             link = &gap->next;
         } else {
-            lim_strip_give_back(spans, link);
+            lim_strip_give_back(spans, link, gap);
         }
     } else if (leaves_left) {
         if (!lim_strip_split(spans, gap, &common.right)) return NULL;

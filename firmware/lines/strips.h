@@ -54,11 +54,10 @@ bool lim_strips_see(const struct lim_spans *spans, const struct lim_line *line, 
 uint16_t *lim_strips_close_crossing(const struct lim_strip *strip, struct lim_spans *spans, uint16_t *link,
                                     lim_strip_sink *sink, void *ctx, enum lim_span_result *result);
 
-/* Unlinks a gap. */
-static inline void lim_strip_give_back(struct lim_spans *spans, uint16_t *link)
+/* Unlinks the gap that `link` leads to. */
+static inline void lim_strip_give_back(struct lim_spans *spans, uint16_t *link, struct lim_open_strip *gap)
 {
     const uint16_t self = *link;
-    struct lim_open_strip *gap = &(*spans->strips)[self];
 
     *link = gap->next;
     gap->next = spans->free;
@@ -113,7 +112,7 @@ static LIM_INLINE enum lim_span_result lim_strips_close(struct lim_spans *spans,
         if (lim_bound_is_before(&left, &open_left)) {
             if (to_end) {
                 lim_strip_to_sink(sink, ctx, &open_left, &open_right);
-                lim_strip_give_back(spans, link);
+                lim_strip_give_back(spans, link, gap);
                 lim_strips_note_closed(spans, line);
                 result = LIM_SPAN_SOME;
                 continue;

@@ -40,12 +40,6 @@ static inline bool pair_are_most(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
     return !(pair_beyond(a, b) | pair_beyond(c, d));
 }
 
-/* (a + b) / 4, rounded down; sums of 16 bits. */
-static inline uint32_t pair_quarter_of_sum(uint32_t a, uint32_t b)
-{
-    return __builtin_arm_uhadd16(__builtin_arm_uhadd16(a, b), 0);
-}
-
 /* The high halves of two words. */
 static inline uint32_t pair_of_highs(uint32_t low, uint32_t high)
 {
@@ -96,12 +90,6 @@ static inline bool pair_are_most(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
     const uint32_t flags = 0x80008000u;
 
     return (((b | flags) - a) & ((d | flags) - c) & flags) == flags;
-}
-
-/* (a + b) / 4, rounded down; sums of 16 bits. */
-static inline uint32_t pair_quarter_of_sum(uint32_t a, uint32_t b)
-{
-    return (a + b) >> 2 & 0x3FFF3FFF;
 }
 
 /* The low halves of two words. */

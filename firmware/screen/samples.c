@@ -6,12 +6,13 @@
  *
  *     M = wx dy + 4 dx (t - wy) + ceil((px dy - dx py) / u)
  *
- * M / dy on the edge's first row, whichever that is asked for, and 4 dx / dy are rounded down to 16 fraction bits:
- * neighbours, and bands, find the same columns, though in a thousand rows they may be a 64th of one off. Upright edges
- * are not.
+ * A sample of a row is four columns wide: so a row's first sample at or right of it is what M / 4 dy, less the row's
+ * shift, comes to, rounded up. M / 4 dy on the edge's first row, whichever that is asked for, and dx / dy are rounded
+ * down to 16 fraction bits: neighbours, and bands, find the same samples, though in a thousand rows they may be a 256th
+ * of a pixel off. Upright edges are not.
  *
  * Range: px < u, py < 4u and |dx|, dy <= 2050 S, so the last term's numerator stays below 2^31 up to 9 sub-pixel bits.
- * The intersection lies between the end points, and a column fits 16 bits; all else may wrap. */
+ * The intersection lies between the end points, and a sample fits 15 bits; all else may wrap. */
 #include "screen/samples.h"
 
 #include "math/divisor.h"
@@ -23,6 +24,11 @@
 #define POINT_SCALE ((int32_t)1 << (POINT_BITS - LIM_SUB_BITS))
 #define COLUMN_BITS (POINT_BITS - 4)
 #define ROW_BITS (POINT_BITS - 2)
+
+/* Columns from the origin to where strips begin, and to the last row's samples. */
+#define TO_STRIP                                                                                                       \
+    ((LIM_ORIGIN_PX + LIM_STRIP_BIAS_PX) * LIM_SAMPLE_COLUMNS + LIM_SAMPLES_A_ROW - 1 -                                \
+     (int32_t)lim_sample_shift(LIM_SAMPLE_ROWS - 1))
 
 /* From the centre of a pixel to its first column and row of samples. */
 enum { TO_COLUMN = 15 << (POINT_BITS - 5), TO_ROW = 3 << (POINT_BITS - 3) };
@@ -54,8 +60,8 @@ static inline int16_t screen_row(struct lim_point p)
     return (int16_t)(row_of(p) + LIM_ORIGIN_PX * LIM_SAMPLE_ROWS);
 }
 
-/* m / dy, never too high; what does not fit may wrap. */
-static LIM_RARE uint32_t any_quotient_q16(int32_t m, int32_t dy)
+/* m / 4 dy, never too high; what does not fit may wrap. */
+static LIM_RARE uint32_t any_quarter_q16(int32_t m, int32_t dy)
 {
     int32_t whole = m / dy, rest = m - whole * dy;
 
@@ -68,7 +74,7 @@ static LIM_RARE uint32_t any_quotient_q16(int32_t m, int32_t dy)
         rest >>= 1;
     }
     if (rest >= dy) rest = dy - 1;
-    return ((uint32_t)whole << 16) + (uint32_t)((rest << 16) / dy);
+    return ((uint32_t)whole << 14) + (uint32_t)((rest << 14) / dy);
 }
 
 static inline bool fits_divisor(int32_t number)
@@ -76,7 +82,8 @@ static inline bool fits_divisor(int32_t number)
     return (uint32_t)(number + DIVISOR_WIDTH) < 2 * (uint32_t)DIVISOR_WIDTH;
 }
 
-/* Beyond the bias, all but one unit of the next column: what makes a ceiling of the floor. */
+/* Beyond the bias: as many columns as the last row's samples are before the next one's, and all but a unit of another,
+ * which makes a ceiling of the floor. */
 static inline void samples_edge_set(struct lim_sample_edge *edge, struct lim_point a, struct lim_point b, int32_t row)
 {
     const int32_t ax = x_of(a), ay = y_of(a), dx = x_of(b) - ax, dy = y_of(b) - ay;
@@ -88,14 +95,14 @@ static inline void samples_edge_set(struct lim_sample_edge *edge, struct lim_poi
 
     if (dy < 1 << 12 && fits_divisor(start) && fits_divisor(slope)) {
         const struct divisor divisor = divisor_of_short(dy);
-        start_q16 = (uint32_t)divisor_q16(&divisor, start);
-        edge->step_q16 = (uint32_t)divisor_q16(&divisor, slope);
+        start_q16 = (uint32_t)(divisor_q16(&divisor, start) >> 2);
+        edge->step_q16 = (uint32_t)(divisor_q16(&divisor, slope) >> 2);
     } else {
-        start_q16 = any_quotient_q16(start, dy);
-        edge->step_q16 = any_quotient_q16(slope, dy);
+        start_q16 = any_quarter_q16(start, dy);
+        edge->step_q16 = any_quarter_q16(slope, dy);
     }
-    edge->x_q16 = ((uint32_t)((ax >> COLUMN_BITS) + (LIM_ORIGIN_PX + LIM_STRIP_BIAS_PX) * LIM_SAMPLE_COLUMNS) << 16) +
-                  0xFFFF + start_q16 + (uint32_t)(row - first) * edge->step_q16;
+    edge->x_q16 = (uint32_t)((ax >> COLUMN_BITS) + TO_STRIP) * (uint32_t)LIM_COLUMN_Q16 + (uint32_t)LIM_COLUMN_Q16 - 1 +
+                  start_q16 + (uint32_t)(row - first) * edge->step_q16;
 }
 
 /* The next edge of a boundary that goes on below a row. */

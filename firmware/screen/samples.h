@@ -13,6 +13,7 @@
 #include "stages.h"
 
 enum { LIM_SAMPLE_ROWS = 4, LIM_SAMPLES_A_ROW = 4, LIM_SAMPLE_COLUMNS = 16, LIM_SAMPLES = 16 };
+#define LIM_COLUMN_Q16 (INT32_C(65536) * LIM_SAMPLES_A_ROW / LIM_SAMPLE_COLUMNS) /* of a sample of a row */
 #define LIM_ALL_SAMPLES 0xFFFF /* of a pixel, a bit each; where int has 16 bits, no enumerator's value */
 
 /* Samples of a strip count from so many pixels left of the screen, beyond which no polygon reaches (perspective.h). */
@@ -21,8 +22,8 @@ enum {
     LIM_STRIP_BIAS = LIM_STRIP_BIAS_PX * LIM_SAMPLES_A_ROW,
 };
 
-LIM_STATIC_ASSERT((INT32_C(2) * LIM_MAX_SIDE_PX + 4) * LIM_SAMPLE_COLUMNS <= INT32_C(0xFFFF),
-                  "a column fits half a word");
+LIM_STATIC_ASSERT((INT32_C(2) * LIM_MAX_SIDE_PX + 4) * LIM_SAMPLES_A_ROW <= INT32_C(0x7FFF),
+                  "a sample of a row fits half a word");
 
 /* A boundary on a line, in samples (samples.h): of each row the first one at or right of it. Two rows a word, the upper
  * one in the lower half, below 2^15; from LIM_STRIP_BIAS_PX before the screen on. */
@@ -156,13 +157,16 @@ static inline int32_t lim_sample_shift(int_fast16_t row)
     return 0x8D >> (2 * (row & 3)) & 3;
 }
 
-/* The first samples of two rows of a line at or right of columns. */
+/* Where a row is of an edge, as struct lim_sample_edge has it: as if its samples were shifted as the last row's are. */
+static inline uint32_t lim_sample_shifted(uint32_t x_q16, int_fast16_t row)
+{
+    return x_q16 + (uint32_t)((lim_sample_shift(LIM_SAMPLE_ROWS - 1) - lim_sample_shift(row)) * LIM_COLUMN_Q16);
+}
+
+/* The first samples of two rows of a line at or right of an edge. */
 static inline uint32_t lim_samples_at(uint32_t upper_q16, uint32_t lower_q16, int_fast16_t row)
 {
-    const uint32_t ahead = pair_of((uint32_t)(LIM_SAMPLES_A_ROW - 1 - lim_sample_shift(row)),
-                                   (uint32_t)(LIM_SAMPLES_A_ROW - 1 - lim_sample_shift(row + 1)));
-
-    return pair_quarter_of_sum(pair_of_highs(upper_q16, lower_q16), ahead);
+    return pair_of_highs(lim_sample_shifted(upper_q16, row), lim_sample_shifted(lower_q16, row + 1));
 }
 
 /* All rows of a line that an edge goes on through, and on to the last one. */
