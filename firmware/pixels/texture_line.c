@@ -1,10 +1,74 @@
 /* SPDX-License-Identifier: MIT
  *
- * A line: stretches of 2^bits pixels, with a division at each end and texels along a straight line in between. How long
- * they may be is decided where the line is farthest away, where texels are closest together. */
+ * A line that is level, or stretches of 2^bits pixels, with a division at each end and texels along a straight line in
+ * between. How long they may be is decided where the line is farthest away, where texels are closest together. */
 #include "pixels/texture.h"
 
 #if LIM_HAS_TEXTURE
+
+static inline int32_t first_px(const struct lim_textured_span *span)
+{
+    return span->left < 0 ? 0 : span->left;
+}
+
+static inline int32_t width_px(const struct lim_textured_span *span)
+{
+    return lim_texture_lesser(span->right, span->texturing->w_px) - first_px(span);
+}
+
+/* Level ------------------------------------------------------------------------------------------------------------ */
+
+static inline int32_t over_depth(int32_t plane, int32_t recip_q31, int_fast16_t down)
+{
+    return lim_texture_times(plane, recip_q31) >> down;
+}
+
+/* What a pixel adds, of what 2^bits pixels add to a plane. */
+static inline uint32_t level_step(int32_t plane_x, int32_t recip_q31, int_fast16_t down, uint32_t bits)
+{
+    const int32_t way_q16 = over_depth((int32_t)((uint32_t)plane_x << bits << 1), recip_q31, down);
+
+    return (uint32_t)((way_q16 + (((int32_t)1 << bits) >> 1)) >> bits);
+}
+
+/* A line that is equally far away all over, as of a floor, is even: from its first pixel on. false: it is not, or so
+ * long that a step's rounding would show. */
+static LIM_INLINE bool walk_level(const struct lim_textured_span *span, struct lim_texture_walk *walk)
+{
+    struct lim_gradients *const gradients = span->gradients;
+    const struct lim_texture_planes *planes = &gradients->planes;
+    const uint32_t bits = 32u - clz_u32((uint32_t)width_px(span));
+
+    if (planes->depth.x || bits + gradients->texture->w_bits > LIM_TEXTURE_MOST_BITS) return false;
+    const int32_t x = 2 * first_px(span) + 1 - span->texturing->w_px, y = 2 * span->y + 1 - span->texturing->h_px;
+    const int32_t seen_depth = planes->depth.at + planes->depth.y * y;
+    const uint32_t depth = (uint32_t)(seen_depth < planes->depth_min ? planes->depth_min : seen_depth);
+    uint8_t zeros;
+    const int32_t recip_q31 = lim_texture_reciprocal(depth, &zeros);
+    const int_fast16_t shift = (int_fast16_t)(gradients->shift - zeros), down = shift < 0 ? 0 : shift;
+    const struct lim_texture_plane *u = &planes->uv[0], *v = &planes->uv[1];
+
+    if (depth - planes->level_depth >= planes->level_depths)
+        lim_texture_suit_level(span->texturing->scene, gradients, depth);
+    walk->place = lim_texture_packed(
+        planes->eye_uv_q16[0] + (uint32_t)over_depth(u->at + u->x * x + u->y * y, recip_q31, down),
+        (uint16_t)(planes->eye_uv_q16[1] + (uint32_t)over_depth(v->at + v->x * x + v->y * y, recip_q31, down)));
+    walk->step = lim_texture_packed(level_step(u->x, recip_q31, down, bits), level_step(v->x, recip_q31, down, bits));
+    return true;
+}
+
+static LIM_ALONE bool fill_level(const struct lim_textured_span *span, uint16_t *pixels, int32_t x, int32_t x1)
+{
+    struct lim_texture_walk walk;
+
+    if (!walk_level(span, &walk)) return false;
+    span->gradients->level.step = walk.step;
+    lim_texels_paint(pixels + x, (uint_fast16_t)(x1 - x), walk.place + walk.step * (uint32_t)(x - first_px(span)),
+                     &span->gradients->level);
+    return true;
+}
+
+/* Stretches -------------------------------------------------------------------------------------------------------- */
 
 /* The planes at a pixel of the line. */
 static LIM_IN_EACH_CALLER void go_to(struct lim_texture_line *line, const struct lim_texture_planes *planes,
@@ -65,19 +129,18 @@ static LIM_IN_EACH_CALLER void begin_stretches(struct lim_texture_line *line, co
                                                int32_t x)
 {
     struct lim_texture_planes *planes = &span->gradients->planes;
-    const int32_t left = span->left < 0 ? 0 : span->left,
-                  right = lim_texture_lesser(span->right, span->texturing->w_px);
+    const int32_t left = first_px(span), w_px = width_px(span);
 
     line->texturing = span->texturing;
     line->gradients = span->gradients;
     go_to(line, planes, left, span->y);
     uint32_t bits = span->gradients->bits;
     if (!bits) {
-        const int32_t right_depth = line->depth + planes->depth.x * 2 * (right - 1 - left);
+        const int32_t right_depth = line->depth + planes->depth.x * 2 * (w_px - 1);
         bits = lim_texture_stretch_bits(span->gradients, lim_texture_lesser(line->depth, right_depth));
     }
     /* A stretch that goes on twice as far as the line is long enough. */
-    line->bits = (uint32_t)lim_texture_lesser((int32_t)bits, 32 - clz_u32((uint32_t)(right - left)));
+    line->bits = (uint32_t)lim_texture_lesser((int32_t)bits, 32 - clz_u32((uint32_t)w_px));
     line->n_px = (int32_t)1 << line->bits;
     line->end = left + ((x - left) >> line->bits << line->bits);
     if (line->end != left) go_to(line, planes, line->end, span->y);
@@ -92,14 +155,17 @@ static LIM_IN_EACH_CALLER void begin_stretches(struct lim_texture_line *line, co
 void lim_texture_line_begin(struct lim_texture_line *line, const struct lim_textured_span *span, int16_t x)
 {
     line->divisions = 0;
+    line->x = first_px(span);
+    line->end = line->x + width_px(span);
     if (!span->gradients->is_even) {
-        begin_stretches(line, span, x);
+        if (walk_level(span, &line->walk))
+            line->divisions++;
+        else
+            begin_stretches(line, span, x);
         return;
     }
-    line->x = span->left;
-    line->end = span->right;
     line->walk.step = span->gradients->level.step;
-    line->walk.place = lim_texture_even_place(&span->gradients->even, line->walk.step, span->left, span->y);
+    line->walk.place = lim_texture_even_place(&span->gradients->even, line->walk.step, line->x, span->y);
 }
 
 void lim_texture_line_next(struct lim_texture_line *line)
@@ -111,6 +177,7 @@ uint16_t lim_texture_fill_stretches(const struct lim_textured_span *span, uint16
 {
     struct lim_texture_line line;
 
+    if (!span->gradients->planes.depth.x && fill_level(span, pixels, x, x1)) return 1;
     line.divisions = 0;
     begin_stretches(&line, span, x);
     line.walk.place = lim_texture_place(&line, x);
