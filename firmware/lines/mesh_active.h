@@ -101,7 +101,7 @@ struct lim_mesh_trial {
 };
 
 /* A triangle that has line y, likewise. false: its rank is less, or there is no room. *last: &mesh->end, or the entry
- * that begun before, if that is still in the list; set to the new one, but of what is clipped. */
+ * that began before, if that is still in the list. It is set to the new one, unless that is clipped. */
 bool lim_mesh_try(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_trial *trial,
                   struct lim_mesh_active **last);
 

@@ -2,7 +2,7 @@
  *
  * Lines that more of a mesh's triangles cross than the pool has room for. The nearest of them stay in the pool. The
  * others, the crowd, are a list of numbers; all of them are farther away than what is in the pool. On each line they
- * begin anew, as many at a time as there is room for, and are painted before the pool's: the picture is the same. */
+ * begin anew, as many at a time as there is room for. They are painted before the pool's: the picture is the same. */
 #ifndef LIM_MESH_CROWD_H
 #define LIM_MESH_CROWD_H
 

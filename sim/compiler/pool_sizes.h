@@ -7,7 +7,7 @@
 #include "scene/compiled.h"
 
 /* Sets scene->scene.limits and the image's, pools included: the most that any of 256 sampled cameras
- * and 64 portraits but the greediest needs at this size and precision (NULL: fast), and an eighth on top. Also sets
+ * and 64 portraits but the greediest needs at this size and precision (NULL: fast), and some more, but for a mesh. Also sets
  * scene->report.instructions, the mean of those cameras. */
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err);
 
