@@ -379,7 +379,7 @@ static bool measure_mesh(struct compiled *scene, const struct core *core, struct
     struct usage usage = {0};
 
     if (!sample_method(&roomy, NULL, &setup, STYLE_PLAIN, &usage, err)) return false;
-    limits.active = greater(most(usage.active, usage.cameras), MCU_MESH_LEAST_ACTIVE); /* what is missing costs little */
+    limits.active = greater(most(usage.active, usage.cameras), MCU_MESH_LEAST_ACTIVE); /* less costs little */
     lim_image_set_limits(scene, &limits);
     if (usage.cameras && frame_cost_knows(setup.method))
         scene->report.instructions = usage.instructions / (double)usage.cameras;

@@ -7,8 +7,8 @@
 #include "scene/compiled.h"
 
 /* Sets scene->scene.limits and the image's, pools included: the most that any of 256 sampled cameras
- * and 64 portraits but the greediest needs at this size and precision (NULL: fast), and some more, but for a mesh. Also sets
- * scene->report.instructions, the mean of those cameras. */
+ * and 64 portraits but the greediest needs at this size and precision (NULL: fast), and some more, but for a mesh. Also
+ * sets scene->report.instructions, the mean of those cameras. */
 bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_px, unsigned h_px, struct error *err);
 
 /* The same for a scene that has all that for the order nearest first: raises its limits to what scan lines take as
