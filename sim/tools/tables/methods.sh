@@ -50,8 +50,14 @@ figures() { # FILE METHOD|chosen
     awk -F, -v method="$2" 'FNR == 2 { print method, $19, $7 }' "$work/o/measure.csv"
 }
 
-predicted() { # FILE: for the same frames
-    "$BUILD/limner" render "$1" --no-textures --camera $cameras --stats 2>/dev/null |
+# The method that costs what the compiler's choice costs.
+chosen() {
+    awk '{ counted[$1] = $2 } END { for (method in counted) if (method != "chosen" && counted[method] == counted["chosen"]) print method }' \
+        "$work/figures" | head -n 1
+}
+
+predicted() { # FILE METHOD: for the same frames
+    "$BUILD/limner" render "$1" --no-textures --method "$2" --camera $cameras --stats 2>/dev/null |
         sed -n 's/^predicted for .*: \([0-9]*\) instructions.*/predicted \1/p'
 }
 
@@ -60,8 +66,9 @@ row() { # SCENE
     for method in $methods chosen; do
         figures "$file" "$method"
     done >"$work/figures"
-    predicted "$file" >>"$work/figures"
-    awk -v scene="$1" '
+    name=$(chosen)
+    predicted "$file" "$name" >>"$work/figures"
+    awk -v scene="$1" -v name="$name" '
         $1 == "predicted" { predicted = $2; next }
         { counted[$1] = $2; wrong[$1] = $3 }
         END {
@@ -70,8 +77,6 @@ row() { # SCENE
                 if (method == "chosen" || (method ~ /^mesh/ && wrong[method] > bound)) continue
                 if (!best || counted[method] < counted[best]) best = method
             }
-            for (method in counted)
-                if (method != "chosen" && counted[method] == counted["chosen"]) name = method
             if (!name || !predicted) exit 1
             off = (predicted / counted["chosen"] - 1) * 100
             printf "| %s | %s | %.0f | %s | %.0f | %.2f | %+.1f |", scene, name, counted["chosen"] / 1000, best, counted[best] / 1000,
