@@ -9,7 +9,7 @@ if [ -n "$pictures" ] && [ -n "${SCENES:-}" ]; then
     echo "methods: SCENES is for printing; the page has all" >&2
     exit 1
 fi
-: "${SCENES:=MAP02 MAP05 MAP07 E1M1 duck COLLADA Cinema4D WusonBlitz faerie sphereWithHole rooms+teapot rooms+knot}"
+: "${SCENES:=MAP02 MAP05 MAP07 E1M1 duck COLLADA sphereWithHole rooms+teapot}"
 models=/usr/share/assimp/models
 levels=/usr/share/games/doom
 cameras=random:77:8
