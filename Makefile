@@ -88,6 +88,7 @@ packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-bench         := $(packages-tradeoff) $(packages-models) freedoom valgrind
 packages-bench-baseline := $(packages-bench)
 packages-boards        := sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
+packages-methods        := gcc-arm-none-eabi qemu-system-arm freedoom $(packages-models)
 packages-delta-cost    := gcc-arm-none-eabi qemu-system-arm
 packages-overlay-cost  := gcc-arm-none-eabi qemu-system-arm
 packages-tables        := $(foreach table,$(TABLES),$(packages-$(table)))
@@ -487,7 +488,7 @@ scale: ## [measure] measure how costs grow with a scene
 predictions: ## [measure] hold predicted wrong pixels against measured ones, of 47 models
 compare: ## [measure] measure every visibility method; everything into out/compare/
 
-tables: $(if $(filter foreign,$(TABLES)),tests/foreign.sh)
+tables: $(if $(filter foreign,$(TABLES)),tests/foreign.sh) $(if $(filter methods,$(TABLES)),$(BUILD)/generate_bench)
 tables footprint tradeoff scale predictions compare: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages
 	$(LIVE)sh sim/tools/tables.sh --write $(if $(filter tables,$@),$(TABLES),$@)
 

@@ -112,11 +112,30 @@ static inline void link_lines(struct lim_mesh *mesh, lim_index triangle, struct 
     link_at(mesh, triangle, lines.top > 0 ? lines.top : 0);
 }
 
+/* Where a vertex lies outside of the screen, as VIEW says it: by its point, whose pixels begin there, or by its code.
+ */
+static uint_fast8_t mesh_codes(const struct lim_mesh *mesh, lim_index vertex)
+{
+    const struct lim_point at = mesh->points[vertex];
+
+    if (!mesh->nearness[vertex]) return (uint_fast8_t)at.x;
+    const int32_t x = lim_mesh_row_at(at.x), y = lim_mesh_row_at(at.y);
+    return (uint_fast8_t)((x <= 0                         ? LIM_VIEW_LEFT
+                           : x >= mesh->pass->target.w_px ? LIM_VIEW_RIGHT
+                                                          : 0) |
+                          (y <= 0                         ? LIM_VIEW_TOP
+                           : y >= mesh->pass->target.h_px ? LIM_VIEW_BOTTOM
+                                                          : 0));
+}
+
+/* Most of what needs to be clipped is behind the eye, or beside the screen. */
 static LIM_RARE void link_clipped(struct lim_mesh *mesh, lim_index triangle)
 {
+    const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, triangle);
     struct lim_mesh_clipped clipped;
     uint_fast16_t nearness = 0;
 
+    if (mesh_codes(mesh, corners[0]) & mesh_codes(mesh, corners[1]) & mesh_codes(mesh, corners[2])) return;
     if (!lim_mesh_clip(mesh, triangle, &clipped)) return;
     for (uint_fast8_t k = 0; k < clipped.n; k++)
         nearness |= clipped.nearness[k];
@@ -187,7 +206,7 @@ static void link_triangles(struct lim_mesh *mesh)
  * nearness has bits that it does not use. */
 static LIM_RARE void refine(struct lim_mesh *mesh)
 {
-    const struct lim_pass *pass = mesh->pass;
+    struct lim_pass *pass = mesh->pass;
     const uint8_t zeros = mesh->nearest ? clz_u32(mesh->nearest) : 0;
 
     if (zeros > 32 - REFINED_BITS)

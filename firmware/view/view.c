@@ -192,8 +192,12 @@ static void project_some(const struct lim_view *view, const struct lim_scene *sc
     for (lim_index i = 0; i < scene->vertex_count; i++) {
         struct lim_view_point point;
         transform(view, scene, &scene->vertices[i], &point);
-        nearness[i] = 0;
-        if (codes_of(view, &point) & LIM_VIEW_GUARD) continue;
+        const uint8_t codes = codes_of(view, &point);
+        if (codes & LIM_VIEW_GUARD) {
+            points[i] = (struct lim_point){(int16_t)(codes & ~LIM_VIEW_GUARD), 0};
+            nearness[i] = 0;
+            continue;
+        }
         const struct lim_depth depth = perspective_depth(point.z_qv);
         points[i] = (struct lim_point){perspective_at(point.x_qv, depth, &view->width),
                                        perspective_at(point.y_qv, depth, &view->height)};
@@ -221,7 +225,7 @@ enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene 
     return LIM_VIEW_CLIPPED;
 }
 
-void lim_view_finer(const struct lim_view *view, const struct lim_scene *scene, uint8_t bits, uint16_t *nearness,
+void lim_view_finer(struct lim_view *view, const struct lim_scene *scene, uint8_t bits, uint16_t *nearness,
                     uint8_t *near_shift)
 {
     const uint32_t finer_shift = perspective_finer(*near_shift, bits);
@@ -232,6 +236,7 @@ void lim_view_finer(const struct lim_view *view, const struct lim_scene *scene, 
         if (!nearness[i] || nearness[i] >> (15 - bits)) continue;
         transform(view, scene, &scene->vertices[i], &point);
         nearness[i] = perspective_nearness(perspective_depth(point.z_qv), finer_shift);
+        if (LIM_HAS_STATS) view->vertices++;
     }
 }
 

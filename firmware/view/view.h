@@ -98,13 +98,13 @@ enum lim_view_extent {
 };
 
 /* All vertices of a mesh: where each is on the screen, and its nearness, 1 / z as perspective_nearness() has it; 0 for
- * one before the near plane or beyond the guard band, whose point is not set. */
+ * one before the near plane or beyond the guard band, whose point's x is instead its code, without LIM_VIEW_GUARD. */
 enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
                                   uint16_t *nearness, uint8_t *near_shift);
 
 /* Nearness anew, 2^bits times as fine, where lim_view_all() has set less than 2^(15 - bits); what is nearer, or has
  * none, keeps what it has. */
-void lim_view_finer(const struct lim_view *view, const struct lim_scene *scene, uint8_t bits, uint16_t *nearness,
+void lim_view_finer(struct lim_view *view, const struct lim_scene *scene, uint8_t bits, uint16_t *nearness,
                     uint8_t *near_shift);
 
 /* The nearness of another point of it, which near <= z holds for; `near_shift` as those have set it. */

@@ -12,7 +12,7 @@
 /* Whether frames drawn by a method can be predicted: nearest first, by scan lines, and as a mesh. */
 bool frame_cost_knows(enum lim_method method);
 
-/* Instructions of such a frame in profile fast, polygons opaque, as if they were of one colour each. Within 4.2 % of
+/* Instructions of such a frame in profile fast, polygons opaque, as if they were of one colour each. Within 4 % of
  * those counted, for the scenes in sim/scenes with any tree, at 240x240 pixels; within 7 % at 128x64; meshes: see
  * frame_cost.c. tests/arm/arm_splitters.sh compares. */
 double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target *target);

@@ -22,18 +22,19 @@ group_of='
     }'
 
 # A line: METHOD SCENE-SIZE-TREE-SPLITTER, five groups of instructions, thirteen counters.
-count() { # METHOD SCENE SIZE TREE SPLITTER
+count() { # METHOD SCENE SIZE TREE SPLITTER [CAMERAS]: an eighth of its own path, or these
     folder=sim/scenes
     [ -s "$folder/$2.obj" ] || folder=$work
     awk 'n++ % 8 == 0' "$folder/$2.cam" >"$work/cam"
-    "$BUILD/limner" measure "$folder/$2.obj" --camera "$work/cam" --size "$3" --tree "$4" --splitter "$5" --method "$1" \
+    cameras=${6:-$work/cam}
+    "$BUILD/limner" measure "$folder/$2.obj" --camera "$cameras" --size "$3" --tree "$4" --splitter "$5" --method "$1" \
         --precision fast --core m0plus -o "$work/out" >/dev/null 2>"$work/said" || { cat "$work/said" >&2; return 1; }
-    "$BUILD/limner" render "$folder/$2.obj" --camera "$work/cam" --size "$3" --tree "$4" --splitter "$5" --method "$1" \
+    "$BUILD/limner" render "$folder/$2.obj" --camera "$cameras" --size "$3" --tree "$4" --splitter "$5" --method "$1" \
         --stats >"$work/stats"
     awk -F , "$group_of"'
         NR > 1 { sum[group_of($4)] += $5 }
         END { printf "%s %d %d %d %d %d ", name, sum["tree"], sum["box"], sum["front"], sum["clip"], sum["lines"] }' \
-        name="$1 $2-$3-$4-$5" "$work/out/stages.csv"
+        name="$1 $2-$3-$4-$5${6:+-$6}" "$work/out/stages.csv"
     awk -v w_px="${3%x*}" -v h_px="${3#*x}" '
         $1 == "frame" { for (i = 1; i <= NF; i++) column[$i] = i }
         $1 ~ /^[0-9]+$/ { crossing += $column["seen"] * $column["lines"] / h_px; frames++ } # a product: frame by frame
@@ -63,7 +64,7 @@ grep -q '^mesh' "$data" || for method in mesh mesh-depth; do
             count $method $scene $size mesh auto
         done
     done
-    count $method rooms-tilted 240x240 mesh auto
+    for scene in teapot mesh500 mesh2000 mesh4000; do count $method $scene 240x240 mesh auto random:3:8; done
 done >>"$data"
 
 # Least squares by descent along one factor at a time, which can be kept at 0 or above; several times, what was far off

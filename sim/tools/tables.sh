@@ -33,6 +33,7 @@ flags slow tables-flags flags /limner arm-none-eabi-gcc avr-gcc
 footprint slow footprint footprint /limner /scenes/demo.obj arm-none-eabi-gcc
 tradeoff slow tradeoff tradeoff /limner /scenes/demo.obj gnuplot
 compare slow compare compare /limner
+methods slow tables-methods methods /limner /generate_bench arm-none-eabi-gcc qemu-system-arm
 scale slow scale scale /limner /generate_scale arm-none-eabi-gcc qemu-system-arm gnuplot
 predictions slow predictions predictions /limner /generate_scale /scenes/demo.obj
 delta-cost slow tables-delta-cost delta /limner arm-none-eabi-gcc qemu-system-arm

@@ -21,8 +21,8 @@ measure() { # PRECISION SCENE: into $work/PRECISION
         --sheet "$work/sheet.png" >"$work/$1"
 }
 
-row() { # NAME FOLDER
-    "$BUILD/limner" compile "$2/$1.obj" --keep-faces -o "$work/scene" >"$work/report"
+row() { # NAME FOLDER [TREE]
+    "$BUILD/limner" compile "$2/$1.obj" --keep-faces ${3:+--tree "$3"} -o "$work/scene" >"$work/report"
     measure fast "$2/$1"
     measure fine "$2/$1"
     echo "| $1 | $(reported 'faces in the model') | $(reported splits) | $(reported 'in all')" \
@@ -35,7 +35,8 @@ table() {
     echo "| scene | polygons | splits | flash, bytes | RAM, bytes | reached | seen | overdraw | wrong, % fast | fine | beyond 1 px, ppm fast | fine | holes |"
     echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|"
     row demo "$BUILD/scenes"
-    for scene in rooms rooms-tilted teapot; do row "$scene" sim/scenes; done
+    for scene in rooms rooms-tilted; do row "$scene" sim/scenes; done
+    row teapot sim/scenes clusters # else a mesh
 }
 
 # The demo's walk, moving, and twelve frames of it.
