@@ -17,6 +17,7 @@ kind() { # PROFILE SCENE SIZE CORE[:FLAG]...
 kinds_on() { # CORE[:FLAG]...
     frames_every=8
     kind fine sim/scenes/rooms 160x48 "$@"
+    frames_options='--method scanline'
     kind draft sim/scenes/teapot 80x60 "$1"
     cp sim/scenes/icosahedron.obj "$work/solid.obj"
     cp sim/scenes/teapot.cam "$work/solid.cam"
