@@ -54,11 +54,9 @@ static LIM_INLINE void replace_edge(const struct lim_mesh *mesh, struct lim_mesh
 }
 
 /* Where an edge ends, on the line below; or of what has depth. false: that line has none of it. */
-static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
-                             int32_t x0, int32_t x1)
+static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t below,
+                             struct lim_mesh_active *active, int32_t x0, int32_t x1)
 {
-    const uint16_t below = (uint16_t)(line->y + 1);
-
     if (LIM_HAS_MESH_DEPTH && active->goes_on == LIM_MESH_DEEP) {
         if (LIM_HAS_STATS) note_deep(lim_stats_of(mesh->pass), line, active, x1, x0);
         if (!lim_mesh_depth_paint(mesh, line, active, x1, x0)) return false;
@@ -107,28 +105,35 @@ static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_li
     else if (x0 < x1)
         lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
     if (LIM_HAS_STATS && x0 < x1) mesh_note(lim_stats_of(mesh->pass), line, active, x0, x1);
-    return active->turn != below || go_on(mesh, line, active, left, right);
+    return active->turn != below || go_on(mesh, line, below, active, left, right);
+}
+
+/* Paints those that are farther than a rank. Returns the link that leads to the next one. */
+static LIM_INLINE struct lim_mesh_active **paint_farther(struct lim_mesh *mesh, const struct lim_mesh_line *line,
+                                                         uint16_t *pixels, uint16_t below, bool inside,
+                                                         struct lim_mesh_active **link, lim_mesh_rank rank)
+{
+    for (struct lim_mesh_active *active = *link; active->rank <= rank; active = *link)
+        if (paint_one(mesh, line, pixels, below, active, inside))
+            link = &active->next;
+        else
+            lim_mesh_give_back(mesh, link);
+    return link;
 }
 
 /* Those that begin on the line, each before the first that is nearer, and what is farther than the last of them.
- * Returns where what is left of the list begins. */
+ * Returns where what is left of the list begins, with the last of them. */
 static LIM_INLINE struct lim_mesh_active **paint_merged(struct lim_mesh *mesh, const struct lim_mesh_line *line,
                                                         uint16_t *pixels, uint16_t below, bool inside)
 {
     struct lim_mesh_active **link = &mesh->first, *begins = mesh->begins;
 
     while (begins != &mesh->end) {
-        struct lim_mesh_active *active = *link;
-        if (begins->rank < active->rank) {
-            struct lim_mesh_active *const next = begins->next;
-            begins->next = active;
-            *link = active = begins;
-            begins = next;
-        }
-        if (paint_one(mesh, line, pixels, below, active, inside))
-            link = &active->next;
-        else
-            lim_mesh_give_back(mesh, link);
+        struct lim_mesh_active *const next = begins->next;
+        link = paint_farther(mesh, line, pixels, below, inside, link, begins->rank);
+        begins->next = *link;
+        *link = begins;
+        begins = next;
     }
     mesh->begins = &mesh->end;
     return link;

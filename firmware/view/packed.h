@@ -46,17 +46,44 @@ static inline int32_t lim_packed_y(lim_packed at)
     return at >> 16;
 }
 
+/* The upper and the lower of two, by halves where that is an instruction: then x is of no use. */
+#if LIM_DUAL_MULTIPLY
+
+static inline lim_packed packed_upper(lim_packed a, lim_packed b)
+{
+    (void)__builtin_arm_ssub16(a, b); /* tells __builtin_arm_sel() */
+    return __builtin_arm_sel(b, a);
+}
+
+static inline lim_packed packed_lower(lim_packed a, lim_packed b)
+{
+    (void)__builtin_arm_ssub16(a, b);
+    return __builtin_arm_sel(a, b);
+}
+
+#else
+
+static inline lim_packed packed_upper(lim_packed a, lim_packed b)
+{
+    return a < b ? a : b;
+}
+
+static inline lim_packed packed_lower(lim_packed a, lim_packed b)
+{
+    return a > b ? a : b;
+}
+
+#endif
+
 /* The rows of the uppermost and the lowest of three. */
 static inline int32_t lim_packed_least_y(lim_packed a, lim_packed b, lim_packed c)
 {
-    const lim_packed ab = a < b ? a : b;
-    return (ab < c ? ab : c) >> 16;
+    return packed_upper(packed_upper(a, b), c) >> 16;
 }
 
 static inline int32_t lim_packed_most_y(lim_packed a, lim_packed b, lim_packed c)
 {
-    const lim_packed ab = a > b ? a : b;
-    return (ab > c ? ab : c) >> 16;
+    return packed_lower(packed_lower(a, b), c) >> 16;
 }
 
 /* Whether a is above b; on one level, it may or may not be. */
