@@ -318,7 +318,6 @@ static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_ind
     active->rank = rank;
     active->colour = lim_memory_colour((uint16_t)corners[3]);
     if (LIM_HAS_TEXTURE) lim_mesh_texture_begin(mesh, active);
-    active->part = 0;
     active->turn = y;
     if (LIM_HAS_STATS) *active->seen = false;
     mesh_insert(mesh, active, *last);

@@ -148,34 +148,43 @@ void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y)
     take_depth(active, y);
 }
 
-/* The edge that ends; both have changed places. */
-static void replace(struct lim_mesh_active *active)
+/* Both edges have changed places. */
+void lim_mesh_depth_replace(struct lim_mesh_active *active)
 {
     active->edges[active->depth->goes_on ^ 1] = active->lower;
     active->depth->turn = active->bottom;
 }
 
-bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
-                          int32_t x0, int32_t x1)
+static inline void paint_plain(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                               int32_t x0, int32_t x1)
 {
-    const uint16_t below = (uint16_t)(line->y + 1);
-    const int32_t left = x0, right = x1;
+    mesh_fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
+}
 
-    if (x0 < line->x0) x0 = line->x0;
-    if (x1 > line->x1) x1 = line->x1;
-    if (LIM_HAS_TEXTURE && x0 < x1 && active->look->level.w_bits == LIM_MESH_UNSET) lim_mesh_texture_set(mesh, active);
-    if (LIM_HAS_TEXTURE && x0 < x1 && active->look->level.w_bits == LIM_MESH_UNSET_CLIPPED)
-        lim_mesh_texture_set_clipped(mesh, active);
-    if (LIM_HAS_TEXTURE && x0 < x1 && active->look->level.w_bits != LIM_MESH_COLOUR)
-        lim_mesh_texture_paint_deep(mesh, line, active,
-                                    &(struct lim_mesh_depth_span){depths_of(mesh, line->y), left, right, x0, x1});
-    else if (x0 < x1)
-        mesh_fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
-    active->depth->at_q16 += active->depth->y_q16;
-    if (active->bottom == below) return false;
-    active->turn = (uint16_t)(below + 1);
-    if (active->depth->turn == below && active->depth->goes_on != LIM_MESH_ANEW) replace(active);
-    return true;
+static LIM_IF_CALLED void paint_textured(struct lim_mesh *mesh, const struct lim_mesh_line *line,
+                                         struct lim_mesh_active *active, const struct lim_mesh_depth_span *span)
+{
+    const uint8_t *const w_bits = &active->look->level.w_bits;
+
+    if (*w_bits == LIM_MESH_UNSET) lim_mesh_texture_set(mesh, active);
+    if (*w_bits == LIM_MESH_UNSET_CLIPPED) lim_mesh_texture_set_clipped(mesh, active);
+    if (*w_bits == LIM_MESH_COLOUR)
+        paint_plain(mesh, line, active, span->x0, span->x1);
+    else
+        lim_mesh_texture_paint_deep(mesh, line, active, span);
+}
+
+void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                          int32_t left, int32_t right)
+{
+    const int32_t x0 = left > line->x0 ? left : line->x0, x1 = right < line->x1 ? right : line->x1;
+
+    if (x0 >= x1) return;
+    if (LIM_HAS_TEXTURE)
+        paint_textured(mesh, line, active,
+                       &(struct lim_mesh_depth_span){depths_of(mesh, line->y), left, right, x0, x1});
+    else
+        paint_plain(mesh, line, active, x0, x1);
 }
 
 #endif

@@ -19,16 +19,26 @@ void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point a
 /* The same of what clipping has left. */
 void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mesh_clipped *clipped, uint16_t y);
 
-/* Paints what is nearest of one that has depth, between x0 and x1 of a line, whose edges are stepped already; and goes
- * on to the next line. false: that has none of it. */
-bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
-                          int32_t x0, int32_t x1);
+/* Paints what is nearest of one that has depth, between two edges of a line. */
+void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                          int32_t left, int32_t right);
 
-/* Whether its edges are to be found anew for line y, and what is due when they are. */
+/* On to line y, the next one; its edges are stepped already. false: that has none of it. */
+static inline bool lim_mesh_depth_next(struct lim_mesh_active *active, uint16_t y)
+{
+    active->depth->at_q16 += active->depth->y_q16;
+    active->turn = (uint16_t)(y + 1);
+    return active->bottom != y;
+}
+
+/* Whether an edge ends there. */
 static inline bool lim_mesh_depth_turns(const struct lim_mesh_active *active, uint16_t y)
 {
     return active->depth->turn == y;
 }
+
+/* The lower edge takes its place; or it has edges anew, as those without depth have them. */
+void lim_mesh_depth_replace(struct lim_mesh_active *active);
 void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y);
 
 #else
@@ -45,10 +55,15 @@ static inline void lim_mesh_depth_clipped(struct lim_mesh_active *active, const 
     (void)active, (void)clipped, (void)y;
 }
 
-static inline bool lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line,
-                                        struct lim_mesh_active *active, int32_t x0, int32_t x1)
+static inline void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line,
+                                        struct lim_mesh_active *active, int32_t left, int32_t right)
 {
-    (void)mesh, (void)line, (void)active, (void)x0, (void)x1;
+    (void)mesh, (void)line, (void)active, (void)left, (void)right;
+}
+
+static inline bool lim_mesh_depth_next(struct lim_mesh_active *active, uint16_t y)
+{
+    (void)active, (void)y;
     return false;
 }
 
@@ -56,6 +71,11 @@ static inline bool lim_mesh_depth_turns(const struct lim_mesh_active *active, ui
 {
     (void)active, (void)y;
     return false;
+}
+
+static inline void lim_mesh_depth_replace(struct lim_mesh_active *active)
+{
+    (void)active;
 }
 
 static inline void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y)

@@ -53,17 +53,25 @@ static LIM_INLINE void replace_edge(const struct lim_mesh *mesh, struct lim_mesh
     active->turn = active->bottom;
 }
 
+static LIM_RARE LIM_IF_CALLED void turn_deep(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
+{
+    if (active->depth->goes_on != LIM_MESH_ANEW) {
+        lim_mesh_depth_replace(active);
+        return;
+    }
+    lim_mesh_turn(mesh, active, y);
+    lim_mesh_depth_go_on(active, y);
+}
+
 /* Where an edge ends, on the line below; or of what has depth. false: that line has none of it. */
 static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t below,
                              struct lim_mesh_active *active, int32_t x0, int32_t x1)
 {
     if (LIM_HAS_MESH_DEPTH && active->goes_on == LIM_MESH_DEEP) {
         if (LIM_HAS_STATS) note_deep(lim_stats_of(mesh->pass), line, active, x1, x0);
-        if (!lim_mesh_depth_paint(mesh, line, active, x1, x0)) return false;
-        if (lim_mesh_depth_turns(active, below)) {
-            lim_mesh_turn(mesh, active, below);
-            lim_mesh_depth_go_on(active, below);
-        }
+        if (x1 < x0) lim_mesh_depth_paint(mesh, line, active, x1, x0);
+        if (!lim_mesh_depth_next(active, below)) return false;
+        if (LIM_UNLIKELY(lim_mesh_depth_turns(active, below))) turn_deep(mesh, active, below);
         return true;
     }
     if (active->bottom == below) return false;
