@@ -53,7 +53,7 @@ static LIM_INLINE void replace_edge(const struct lim_mesh *mesh, struct lim_mesh
     active->turn = active->bottom;
 }
 
-static LIM_RARE LIM_IF_CALLED void turn_deep(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
+static LIM_RARE void turn_deep(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
 {
     if (active->depth->goes_on != LIM_MESH_ANEW) {
         lim_mesh_depth_replace(active);

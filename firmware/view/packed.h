@@ -52,13 +52,13 @@ static inline int32_t lim_packed_y(lim_packed at)
 static inline lim_packed packed_upper(lim_packed a, lim_packed b)
 {
     (void)__builtin_arm_ssub16(a, b); /* tells __builtin_arm_sel() */
-    return __builtin_arm_sel(b, a);
+    return (int32_t)__builtin_arm_sel((uint32_t)b, (uint32_t)a);
 }
 
 static inline lim_packed packed_lower(lim_packed a, lim_packed b)
 {
     (void)__builtin_arm_ssub16(a, b);
-    return __builtin_arm_sel(a, b);
+    return (int32_t)__builtin_arm_sel((uint32_t)a, (uint32_t)b);
 }
 
 #else
