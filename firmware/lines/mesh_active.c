@@ -232,12 +232,11 @@ static LIM_ALONE void set_one_by_one(struct lim_mesh_active *active, lim_packed 
 
 #if LIM_DIVIDES && !LIM_8_BIT && !LIM_OPTIMISE_SIZE
 
-static LIM_INLINE void set_short_edge(struct lim_mesh_edge *edge, int32_t ax, int32_t ay, int32_t dx, int32_t dy,
-                                      int32_t row)
+static LIM_INLINE void set_short_edge(struct lim_mesh_edge *edge, lim_packed from, int32_t dx, int32_t dy, int32_t row)
 {
     struct lim_edge begun;
 
-    set_short(&begun, ax, ay, dx, dy, row);
+    set_short(&begun, lim_packed_x(from), lim_packed_y(from), dx, dy, row);
     lim_mesh_edge_take(edge, &begun);
 }
 
@@ -245,23 +244,22 @@ static LIM_INLINE void set_short_edge(struct lim_mesh_edge *edge, int32_t ax, in
  * registers. */
 static LIM_ALONE void set_three(struct lim_mesh_active *active, lim_packed top, lim_packed middle, lim_packed low)
 {
-    const int32_t top_x = lim_packed_x(top), top_y = lim_packed_y(top), middle_x = lim_packed_x(middle);
-    const int32_t middle_y = lim_packed_y(middle), low_x = lim_packed_x(low), low_y = lim_packed_y(low);
+    const struct lim_packed_way whole = lim_packed_way(top, low), upper = lim_packed_way(top, middle);
+    const int32_t lower_dx = whole.dx - upper.dx;
     const int32_t row = (int32_t)active->turn - LIM_ORIGIN_PX, middle_row = mesh_row_of(middle),
                   bottom_row = mesh_row_of(low);
-    const int32_t dx = low_x - top_x, upper_dx = middle_x - top_x, lower_dx = low_x - middle_x;
 
-    if (!edge_is_low(low_y - top_y, bottom_row - (top_y >> LIM_SUB_BITS)) ||
-        !edge_are_narrow(edge_width(dx) | edge_width(upper_dx) | edge_width(lower_dx))) {
+    if (!edge_is_low(whole.dy, bottom_row - (lim_packed_y(top) >> LIM_SUB_BITS)) ||
+        !edge_are_narrow(edge_width(whole.dx) | edge_width(upper.dx) | edge_width(lower_dx))) {
         set_one_by_one(active, top, middle, low);
         return;
     }
-    set_short_edge(&active->edges[active->goes_on ^ 1], top_x, top_y, dx, low_y - top_y, row);
+    set_short_edge(&active->edges[active->goes_on ^ 1], top, whole.dx, whole.dy, row);
     struct lim_mesh_edge *lower = &active->edges[active->goes_on];
     int32_t lower_row = row;
     active->bottom = (uint16_t)(bottom_row + LIM_ORIGIN_PX);
     if (middle_row > row) {
-        set_short_edge(lower, top_x, top_y, upper_dx, middle_y - top_y, row);
+        set_short_edge(lower, top, upper.dx, upper.dy, row);
         active->turn = (uint16_t)(middle_row + LIM_ORIGIN_PX);
         if (middle_row == bottom_row) return;
         lower = &active->lower;
@@ -269,7 +267,7 @@ static LIM_ALONE void set_three(struct lim_mesh_active *active, lim_packed top, 
     } else {
         active->turn = active->bottom;
     }
-    set_short_edge(lower, middle_x, middle_y, lower_dx, low_y - middle_y, lower_row);
+    set_short_edge(lower, middle, lower_dx, whole.dy - upper.dy, lower_row);
 }
 
 #else

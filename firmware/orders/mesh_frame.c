@@ -112,6 +112,14 @@ static inline void link_lines(struct lim_mesh *mesh, lim_index triangle, struct 
     link_at(mesh, triangle, lines.top > 0 ? lines.top : 0);
 }
 
+/* The same of what lies on the screen, between two rows. */
+static LIM_INLINE void link_inside_lines(struct lim_mesh *mesh, lim_index triangle, int32_t top, int32_t bottom)
+{
+    const int32_t first = lim_edge_row((lim_edge_sub)top);
+
+    if (first != lim_edge_row((lim_edge_sub)bottom)) link_at(mesh, triangle, first + LIM_ORIGIN_PX);
+}
+
 /* Where a vertex lies outside of the screen, as VIEW says it: by its point, whose pixels begin there, or by its code.
  */
 static uint_fast8_t mesh_codes(const struct lim_mesh *mesh, lim_index vertex)
@@ -167,13 +175,10 @@ static LIM_INLINE void link_triangle(struct lim_mesh *mesh, lim_index triangle, 
     const lim_packed a = lim_packed_load(&mesh->points[i]), b = lim_packed_load(&mesh->points[j]),
                      c = lim_packed_load(&mesh->points[k]);
     if (!faces_eye(a, b, c, extent == LIM_VIEW_INSIDE)) return;
-    const struct lim_span_extent lines = lines_of(a, b, c);
-    if (extent != LIM_VIEW_INSIDE) {
-        if (!mesh_is_beside(mesh, a, b, c))
-            link_lines(mesh, triangle, lines, mesh->nearness[i] | mesh->nearness[j] | mesh->nearness[k]);
-    } else if (lines.top != lines.bottom) {
-        link_at(mesh, triangle, lines.top);
-    }
+    if (extent == LIM_VIEW_INSIDE)
+        link_inside_lines(mesh, triangle, lim_packed_least_y(a, b, c), lim_packed_most_y(a, b, c));
+    else if (!mesh_is_beside(mesh, a, b, c))
+        link_lines(mesh, triangle, lines_of(a, b, c), mesh->nearness[i] | mesh->nearness[j] | mesh->nearness[k]);
 }
 
 static LIM_INLINE void link_all(struct lim_mesh *mesh, uint8_t extent)

@@ -146,8 +146,20 @@ static inline bool lim_packed_is_above(lim_packed a, lim_packed b)
 
 #endif
 
+/* From one point to another; farther than 2^15, at least as far as that. */
+struct lim_packed_way {
+    int32_t dx, dy;
+};
+
 /* Differences of 16 bits at once, where that is an instruction. */
 #if LIM_IS_PACKED && LIM_DUAL_MULTIPLY
+
+static inline struct lim_packed_way lim_packed_way(lim_packed from, lim_packed to)
+{
+    const lim_packed way = __builtin_arm_qsub16(to, from);
+    const struct lim_packed_way both = {(int16_t)way, way >> 16};
+    return both;
+}
 
 /* Whether b, then c, lie to the left of the way from a, as y goes down; of points less than 2^15 apart. */
 static inline bool lim_packed_turns(lim_packed a, lim_packed b, lim_packed c)
@@ -167,6 +179,12 @@ static inline bool lim_packed_is_beyond(uint32_t signs)
 }
 
 #else
+
+static inline struct lim_packed_way lim_packed_way(lim_packed from, lim_packed to)
+{
+    const struct lim_packed_way way = {lim_packed_x(to) - lim_packed_x(from), lim_packed_y(to) - lim_packed_y(from)};
+    return way;
+}
 
 static inline bool lim_packed_turns(lim_packed a, lim_packed b, lim_packed c)
 {
