@@ -41,6 +41,13 @@ static inline struct lim_mesh_active *lim_mesh_new(struct lim_mesh *mesh)
     return active;
 }
 
+/* It is free. */
+static inline void lim_mesh_let_go(struct lim_mesh *mesh, struct lim_mesh_active *active)
+{
+    active->next = mesh->free;
+    mesh->free = active;
+}
+
 /* Unlinks the one that `link` leads to. */
 static inline void lim_mesh_give_back(struct lim_mesh *mesh, struct lim_mesh_active **link)
 {
@@ -48,8 +55,7 @@ static inline void lim_mesh_give_back(struct lim_mesh *mesh, struct lim_mesh_act
 
     if (LIM_HAS_TEXTURE) lim_mesh_texture_leave(mesh, active);
     *link = active->next;
-    active->next = mesh->free;
-    mesh->free = active;
+    lim_mesh_let_go(mesh, active);
 }
 
 #if LIM_8_BIT

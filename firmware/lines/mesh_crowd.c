@@ -84,11 +84,8 @@ static bool crowd_has_room(struct lim_mesh *mesh)
 {
     uint_fast8_t count = 0;
 
-    for (; mesh->unused < mesh->pool_size; mesh->unused++) {
-        struct lim_mesh_active *const unused = &mesh->pool[mesh->unused];
-        unused->next = mesh->free;
-        mesh->free = unused;
-    }
+    while (mesh->unused < mesh->pool_size)
+        lim_mesh_let_go(mesh, &mesh->pool[mesh->unused++]);
     for (const struct lim_mesh_active *free = mesh->free; free && count < MESH_LEAST_ACTIVE; free = free->next)
         count++;
     return count == MESH_LEAST_ACTIVE;
