@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Input: a band in the middle of pass one. Output: the same, lower, as if it had never had the lines below. To find all
- * of a band again costs a walk; to give up a quarter of its lines costs what was found for these alone. Memory: none of
+ * of a band again costs a walk; to give up an eighth of its lines costs what was found for these alone. Memory: none of
  * its own. Retained polygons come one after the other in their pool, so those that stay are moved up to one another in
  * that order, and linked into their lines as they were when they came. */
 #include "orders/room.h"
@@ -13,7 +13,7 @@
 
 #if LIM_HAS_SPANS
 
-enum { LEAST_LINES = 4, PART = 4 };
+enum { LEAST_LINES = 8, PART = 8 };
 enum { KEPT_PART = 6, LEAST_PARTS = 3 };
 
 /* Pieces and the flags of edges take cells of which their polygon does not say how many; samples close a line in

@@ -19,13 +19,11 @@ grows_gently() {
 }
 # The teapot's compiler takes scan lines.
 for scene in rooms teapot rooms-tilted hexecontahedron knot; do
-    mean=1.3
-    [ $scene = teapot ] && mean=1.4
-    tap_check "$scene with 70 % of the pools" grows_gently $scene nearest 70 $mean 3
+    tap_check "$scene with 70 % of the pools" grows_gently $scene nearest 70 1.3 3
     tap_check "$scene with 50 % of the pools" grows_gently $scene nearest 50 2 5
 done
 # By scan lines all that is in view waits, so that a shortage is a second walk at once.
-tap_check "teapot by scan lines with 70 % of the pools" grows_gently teapot scanline 70 1.5 3
+tap_check "teapot by scan lines with 70 % of the pools" grows_gently teapot scanline 70 1.4 3
 tap_check "teapot by scan lines with 50 % of the pools" grows_gently teapot scanline 50 2 5
 tap_check "knot by scan lines with 70 % of the pools" grows_gently knot scanline 70 1.5 3
 tap_check "knot by scan lines with 50 % of the pools" grows_gently knot scanline 50 2 5
