@@ -163,7 +163,7 @@ static void draw_depths(struct ordering *work)
         work->nearest[i] = 0;
     }
     project(work);
-    for (size_t i = 0; i < work->scene->scene.polygon_count; i++)
+    for (size_t i = 0; i < work->scene->scene.polygon_count && !deadline_passed(); i++)
         draw_triangle(work, i);
 }
 
@@ -186,6 +186,7 @@ static bool look(struct ordering *work, const struct lim_camera *camera, struct 
 {
     if (!ids_frame(&work->ids, camera, err)) return false;
     draw_depths(work);
+    if (deadline_passed()) return true;
     for (size_t pixel = 0; pixel < (size_t)SIDE_PX * SIDE_PX; pixel++) {
         if (!is_wrong(work, pixel)) continue;
         const uint64_t a = work->ids.numbers[pixel] - 1, b = work->nearest[pixel] - 1;
