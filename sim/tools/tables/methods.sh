@@ -9,7 +9,7 @@ if [ -n "$pictures" ] && [ -n "${SCENES:-}" ]; then
     echo "methods: SCENES is for printing; the page has all" >&2
     exit 1
 fi
-: "${SCENES:=MAP02 MAP05 MAP07 E1M1 duck COLLADA sphereWithHole rooms+teapot}"
+: "${SCENES:=MAP02 MAP05 MAP07 E1M1 duck COLLADA Cinema4D WusonBlitz faerie sphereWithHole rooms+teapot rooms+knot}"
 models=/usr/share/assimp/models
 levels=/usr/share/games/doom
 cameras=random:77:8
@@ -50,14 +50,14 @@ figures() { # FILE METHOD|chosen
     awk -F, -v method="$2" 'FNR == 2 { print method, $19, $7 }' "$work/o/measure.csv"
 }
 
-# The method that costs what the compiler's choice costs.
-chosen() {
-    awk '{ counted[$1] = $2 } END { for (method in counted) if (method != "chosen" && counted[method] == counted["chosen"]) print method }' \
-        "$work/figures" | head -n 1
+# The method that the compiler takes.
+chosen() { # FILE
+    "$BUILD/limner" compile "$1" --no-textures --precision fast -o "$work/chosen" >/dev/null 2>&1 &&
+        sed -n 's/^#define LIM_HAS_\(NEAREST\|SCANLINE\|MESH\|MESH_DEPTH\) 1$/\1/p' "$work/chosen.h" | tr 'A-Z_' 'a-z-'
 }
 
-predicted() { # FILE METHOD: for the same frames
-    "$BUILD/limner" render "$1" --no-textures --method "$2" --camera $cameras --stats 2>/dev/null |
+predicted() { # METHOD: for the same frames of the compiled scene
+    "$BUILD/limner" render "$work/chosen.lim" --method "$1" --camera $cameras --stats 2>/dev/null |
         sed -n 's/^predicted for .*: \([0-9]*\) instructions.*/predicted \1/p'
 }
 
@@ -66,8 +66,8 @@ row() { # SCENE
     for method in $methods chosen; do
         figures "$file" "$method"
     done >"$work/figures"
-    name=$(chosen)
-    predicted "$file" "$name" >>"$work/figures"
+    name=$(chosen "$file")
+    predicted "$name" >>"$work/figures"
     awk -v scene="$1" -v name="$name" '
         $1 == "predicted" { predicted = $2; next }
         { counted[$1] = $2; wrong[$1] = $3 }
