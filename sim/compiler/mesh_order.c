@@ -18,7 +18,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { SIDE_PX = 240, FOV_DEG = 60, ROUNDS = 8, MOST_ACTIVE = 30000 };
+enum { SIDE_PX = 240, FOV_DEG = 60, ROUNDS = 8, MOST_ACTIVE = 30000, ASKS_EVERY = 256 };
 enum { CAMERAS_MAX = 192, CAMERAS_MIN = 24, TRIANGLES_DRAWN = 1500000 }; /* of many triangles, fewer cameras */
 static const double MARGIN_PX = 0.1;                                     /* what rounding moves an edge by, and more */
 static const double TOLERANCE_UNITS = 1;   /* what is so little farther is no nearer either */
@@ -156,15 +156,19 @@ static void draw_triangle(struct ordering *work, size_t triangle)
         }
 }
 
-static void draw_depths(struct ordering *work)
+/* false: out of time. */
+static bool draw_depths(struct ordering *work)
 {
     for (size_t i = 0; i < (size_t)SIDE_PX * SIDE_PX; i++) {
         work->depths[i] = INFINITY;
         work->nearest[i] = 0;
     }
     project(work);
-    for (size_t i = 0; i < work->scene->scene.polygon_count && !deadline_passed(); i++)
+    for (size_t i = 0; i < work->scene->scene.polygon_count; i++) {
+        if (i % ASKS_EVERY == ASKS_EVERY - 1 && deadline_passed()) return false;
         draw_triangle(work, i);
+    }
+    return true;
 }
 
 /* Conflicts ------------------------------------------------------------------------------------------------------- */
@@ -185,8 +189,7 @@ static bool is_wrong(const struct ordering *work, size_t pixel)
 static bool look(struct ordering *work, const struct lim_camera *camera, struct error *err)
 {
     if (!ids_frame(&work->ids, camera, err)) return false;
-    draw_depths(work);
-    if (deadline_passed()) return true;
+    if (!draw_depths(work)) return true;
     for (size_t pixel = 0; pixel < (size_t)SIDE_PX * SIDE_PX; pixel++) {
         if (!is_wrong(work, pixel)) continue;
         const uint64_t a = work->ids.numbers[pixel] - 1, b = work->nearest[pixel] - 1;
