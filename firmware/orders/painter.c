@@ -319,7 +319,7 @@ static LIM_IF_CALLED int paint_sorted(struct lim_painter *painter, const struct 
 
 static int paint_from_source(struct lim_painter *painter, const struct lim_rect *screen)
 {
-    if (LIM_IS_SORTED(&painter->pass->target)) return paint_sorted(painter, screen);
+    if (!LIM_HAS_TREE || LIM_IS_SORTED(&painter->pass->target)) return paint_sorted(painter, screen);
     if (LIM_HAS_MOVERS && lim_moves(lim_painter_sorter(painter))) return paint_with_movers(painter, screen);
     return paint_tree(painter, screen);
 }
