@@ -22,7 +22,6 @@ enum { SIDE_PX = 240, FOV_DEG = 60, ROUNDS = 8, MOST_ACTIVE = 30000, ASKS_EVERY 
 enum { CAMERAS_MAX = 192, CAMERAS_MIN = 24, TRIANGLES_DRAWN = 1500000 }; /* of many triangles, fewer cameras */
 static const double MARGIN_PX = 0.1;                                     /* what rounding moves an edge by, and more */
 static const double TOLERANCE_UNITS = 1;   /* what is so little farther is no nearer either */
-static const double SHARE = 0.4;           /* of the wrong pixels that a profile may have, most are of edges */
 static const double ENOUGH_OF_SHARE = 0.5; /* what a round leaves of it, of what it has seen */
 
 double mesh_order_share(const struct core *core, double wrong_percent)
@@ -30,7 +29,7 @@ double mesh_order_share(const struct core *core, double wrong_percent)
     static const double percents[] = {
         [LIM_PROFILE_DRAFT] = 0.1, [LIM_PROFILE_FAST] = 0.05, [LIM_PROFILE_FINE] = 0.03, [LIM_PROFILE_EXACT] = 0.01};
     const double percent = wrong_percent > 0 ? wrong_percent : percents[core ? core->profile : LIM_PROFILE_FAST];
-    return percent / 100 * SHARE;
+    return percent / 100 / 5;
 }
 
 struct pair {
@@ -199,18 +198,11 @@ static bool look(struct ordering *work, const struct lim_camera *camera, struct 
     return true;
 }
 
-/* In turns, as predict_held_out() judges: all of it, its faces from near by, from anywhere. */
+/* Portraits for the most part: from near by, distance orders little of what is seen. */
 static bool next_view(struct ordering *work, size_t i)
 {
-    switch (i % 3) {
-    case 0:
-        return sampler_portrait(&work->sampler, &work->viewpoint);
-    case 1:
-        if (work->scene->original) return sampler_near(&work->sampler, &work->viewpoint);
-        /* fall through */
-    default:
-        return sampler_anywhere(&work->sampler, &work->viewpoint);
-    }
+    if (i % 4 == 3) return sampler_anywhere(&work->sampler, &work->viewpoint);
+    return sampler_portrait(&work->sampler, &work->viewpoint);
 }
 
 static size_t cameras_for(size_t triangles)
@@ -227,7 +219,6 @@ static bool look_around(struct ordering *work, int round, struct error *err)
     work->pixels = 0;
     sampler_init(&work->sampler, work->scene);
     sampler_seed(&work->sampler, (uint32_t)round + 1); /* other views each time: what is left shows */
-    work->sampler.near_m = work->lens.near_m;
     for (size_t i = 0; i < cameras && !deadline_passed(); i++) {
         struct lim_camera camera;
         struct error ignored;

@@ -8,8 +8,8 @@
 #include "core/core.h"
 #include "scene/compiled.h"
 
-/* The share of pixels that may have a wrong order: two fifths of what a profile may have wrong, or of a bound in
- * percent; 0: there is none. NULL: fast. */
+/* The share of pixels that may have a wrong order: a fifth of what a profile may have wrong, or of a bound in percent;
+ * 0: there is none. NULL: fast. */
 double mesh_order_share(const struct core *core, double wrong_percent);
 
 /* Gives depth to as few triangles of a mesh for LIM_MESH_DEPTH as leave less than `share` of the pixels of sampled
