@@ -173,10 +173,14 @@ static bool write_sheet(struct comparing *comparing, struct error *err)
     return ok;
 }
 
-/* What a method gets wrong, in the frame that shows most of it. */
-static bool write_worst(struct comparing *comparing, const struct compare_row *row, struct error *err)
+/* What a method gets wrong, in the frame that shows most of it: often the sheet has that picture. */
+static bool write_worst(struct comparing *comparing, size_t method, struct error *err)
 {
-    gdImagePtr picture = draw(comparing, row, row->accuracy.pixels.faultiest_frame, err);
+    const struct compare_row *row = &comparing->table.rows[method];
+    const size_t frame = row->accuracy.pixels.faultiest_frame;
+    if (frame == frame_to_show(&comparing->table))
+        return write_picture(comparing, row->method->name, comparing->cells[method].picture, err);
+    gdImagePtr picture = draw(comparing, row, frame, err);
     if (!picture) return false;
     const bool ok = write_picture(comparing, row->method->name, picture, err);
     gdImageDestroy(picture);
@@ -185,12 +189,13 @@ static bool write_worst(struct comparing *comparing, const struct compare_row *r
 
 static bool write_pictures(struct comparing *comparing, struct error *err)
 {
+    if (!draw_cells(comparing, err)) return false;
     for (size_t i = 0; i < method_count; i++) {
         const struct compare_row *row = &comparing->table.rows[i];
         if (!compare_row_draws(row) || (row->method->exact && compare_row_is_right(&comparing->table, row))) continue;
-        if (!write_worst(comparing, row, err)) return false;
+        if (!write_worst(comparing, i, err)) return false;
     }
-    return draw_cells(comparing, err) && write_sheet(comparing, err);
+    return write_sheet(comparing, err);
 }
 
 static bool write_files(struct comparing *comparing, struct error *err)

@@ -225,7 +225,7 @@ static bool measure_frames(struct measured *measured, size_t count, struct measu
                            const struct measure_views *views, struct accuracy *before, struct accuracy *out,
                            struct error *err)
 {
-    for (size_t frame = 0; frame < views->path->count; frame++) {
+    for (size_t frame = 0; frame < views->path->count && !(frame && deadline_passed()); frame++) {
         progress_bar(frame, views->path->count, "accuracy, frame %zu of %zu", frame + 1, views->path->count);
         memcpy(before, out, count * sizeof *out);
         if (!measure_all(measured, count, source, views, frame, out, err)) return false;

@@ -8,7 +8,7 @@ limner=$(cd "$BUILD" && pwd)/limner
 rooms=$(pwd)/sim/scenes/rooms.obj
 cd "$work" || exit 1
 unset LIMNER_TIME_LIMIT
-patience_s=90 # beyond any limit here; machines may be busy
+patience_s=30 # beyond any limit here; machines may be busy
 
 # soup NAME COUNT SIZE: triangles anywhere in a cube of 20 m that cut each other: planes, splits and holes without end.
 soup() {
