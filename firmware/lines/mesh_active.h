@@ -41,7 +41,7 @@ static inline struct lim_mesh_active *lim_mesh_new(struct lim_mesh *mesh)
     return active;
 }
 
-/* It is free. */
+/* Puts an entry on the list of those that are free. */
 static inline void lim_mesh_let_go(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
     active->next = mesh->free;

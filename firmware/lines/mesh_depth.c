@@ -155,12 +155,6 @@ void lim_mesh_depth_replace(struct lim_mesh_active *active)
     active->depth->turn = active->bottom;
 }
 
-static inline void paint_deep(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
-                              int32_t x0, int32_t x1)
-{
-    mesh_fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
-}
-
 static LIM_IF_CALLED void paint_deep_textured(struct lim_mesh *mesh, const struct lim_mesh_line *line,
                                               struct lim_mesh_active *active, const struct lim_mesh_depth_span *span)
 {
@@ -169,7 +163,7 @@ static LIM_IF_CALLED void paint_deep_textured(struct lim_mesh *mesh, const struc
     if (*w_bits == LIM_MESH_UNSET) lim_mesh_texture_set(mesh, active);
     if (*w_bits == LIM_MESH_UNSET_CLIPPED) lim_mesh_texture_set_clipped(mesh, active);
     if (*w_bits == LIM_MESH_COLOUR)
-        paint_deep(mesh, line, active, span->x0, span->x1);
+        mesh_fill(line->pixels, span->depths, active, span->x0, span->x1);
     else
         lim_mesh_texture_paint_deep(mesh, line, active, span);
 }
@@ -184,7 +178,7 @@ void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *lin
         paint_deep_textured(mesh, line, active,
                             &(struct lim_mesh_depth_span){depths_of(mesh, line->y), left, right, x0, x1});
     else
-        paint_deep(mesh, line, active, x0, x1);
+        mesh_fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
 }
 
 #endif

@@ -112,7 +112,7 @@ static inline void link_lines(struct lim_mesh *mesh, lim_index triangle, struct 
     link_at(mesh, triangle, lines.top > 0 ? lines.top : 0);
 }
 
-/* The same of what lies on the screen, between two rows. */
+/* The same of what lies on the screen: its uppermost and its lowest corner. */
 static LIM_INLINE void link_inside_lines(struct lim_mesh *mesh, lim_index triangle, int32_t top, int32_t bottom)
 {
     const int32_t first = lim_edge_row((lim_edge_sub)top);

@@ -46,12 +46,13 @@ static inline int32_t lim_packed_y(lim_packed at)
     return at >> 16;
 }
 
-/* The upper and the lower of two, by halves where that is an instruction: then x is of no use. */
+/* The upper and the lower of two points; only y is of use. Where halves of words are compared by one instruction, x is
+ * not that point's. */
 #if LIM_DUAL_MULTIPLY
 
 static inline lim_packed packed_upper(lim_packed a, lim_packed b)
 {
-    (void)__builtin_arm_ssub16(a, b); /* tells __builtin_arm_sel() */
+    (void)__builtin_arm_ssub16(a, b); /* sets the flags that __builtin_arm_sel() reads */
     return (int32_t)__builtin_arm_sel((uint32_t)b, (uint32_t)a);
 }
 
@@ -146,7 +147,7 @@ static inline bool lim_packed_is_above(lim_packed a, lim_packed b)
 
 #endif
 
-/* From one point to another; farther than 2^15, at least as far as that. */
+/* The way from one point to another. What does not fit 16 bits may be saturated to them. */
 struct lim_packed_way {
     int32_t dx, dy;
 };
