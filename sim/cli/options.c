@@ -378,6 +378,19 @@ static bool asks_for_output(const struct options *options)
            options->check_path || options->hashes_path || options->cameras_path || options->stats || options->compare;
 }
 
+/* A file without a tree is drawn by the method that it is for, unless another is named. What cannot be read is refused
+ * where it is loaded. */
+static void settle_file(struct options *out)
+{
+    struct compile_options *compile = &out->compile;
+    struct compiled scene;
+    struct error ignored;
+    if (compile->method || compile->tree != TREE_AUTO || !options_scene_is_compiled(out)) return;
+    if (!lim_file_read(out->scene_path, &scene, &ignored)) return;
+    compile->method = method_of_scene(&scene.scene);
+    compiled_free(&scene);
+}
+
 bool options_parse(int argc, char **argv, enum options_set set, struct options *out, struct error *err)
 {
     const bool is_render = set == OPTIONS_RENDER;
@@ -400,6 +413,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     out->scene_path = argv[optind];
     out->cameras.takes_times = is_render;
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
+    settle_file(out);
     if (!compile_options_settle(&out->compile, err)) return false;
     out->setup.method = compile_options_draws(&out->compile);
     if (out->setup.method != LIM_NEWELL && (out->newell.planes_first || out->newell.split_one || out->newell.most))

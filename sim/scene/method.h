@@ -23,6 +23,9 @@ extern const size_t method_count;
 /* By its name, from --method; an unknown one is refused with the list of those there are. */
 const struct method *method_parse(const char *text, struct error *err);
 
+/* What draws a scene without a tree: a mesh, by depth where triangles have it, or a set. NULL: it has a tree. */
+const struct method *method_of_scene(const struct lim_scene *scene);
+
 /* Whether it draws objects that move; an error says that it does not. */
 bool method_can_move(enum lim_method draws);
 bool method_moves(enum lim_method draws, struct error *err);

@@ -132,6 +132,10 @@ tap_check "18 bytes a textured triangle, or fewer, beside the pictures" few_byte
 
 "$limner" compile "$work/ball.obj" --method mesh -o "$work/mesh" >/dev/null
 "$limner" compile "$work/ball.obj" --method nearest -o "$work/tree" >/dev/null
+drawn_by_itself() { # SCENE METHOD
+    "$limner" render "$1.lim" --frames 4 --size 64x64 --method "$2" --write-hashes "$work/named" &&
+        "$limner" render "$1.lim" --frames 4 --size 64x64 --write-hashes "$work/unnamed" && diff "$work/named" "$work/unnamed"
+}
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib glass.mtl\nusemtl glass\nf 1 2 3\n' >"$work/glass.obj"
 printf 'newmtl glass\nKd 1 1 1\nd 0.5\n' >"$work/glass.mtl"
 cp tests/models/quarters.obj tests/models/quarters.mtl tests/models/quarters.png "$work/"
@@ -145,7 +149,12 @@ tap_check "a mesh by a method of trees is refused" refused 'it draws no meshes' 
 tap_check "glass is refused, by its face" refused 'face 1: as a mesh, transparent faces are not drawn' render "$work/glass.obj" --method mesh
 sed 's/^vt .*/vt 0 0/; 1,/^vt /s/^vt .*/vt 30000 0/' "$work/quarters.obj" >"$work/often.obj"
 tap_check "a texture that repeats too often is refused, by its face" refused 'face [0-9]*: as a mesh, its texture repeats too often' render "$work/often.obj" --method mesh
-tap_check "a file of a mesh names the methods that draw it" refused 'a mesh has no tree; draw it with --method mesh or mesh-depth' render "$work/mesh.lim"
+tap_check "a file of a mesh is drawn as one" drawn_by_itself "$work/mesh" mesh
+"$limner" compile sim/scenes/knot.obj --method mesh-depth -o "$work/deep" >/dev/null
+tap_check "by depth where triangles have it" drawn_by_itself "$work/deep" mesh-depth
+"$limner" compile sim/scenes/knot.obj --method newell -o "$work/set" >/dev/null
+tap_check "and a set by the depth sort" drawn_by_itself "$work/set" newell
+tap_check "a file of a mesh names the methods that draw it" refused 'a mesh has no tree; draw it with --method mesh or mesh-depth' render "$work/mesh.lim" --method nearest
 tap_check "a file with a tree is none" refused 'has a tree; --method mesh draws meshes, give the model$' render "$work/tree.lim" --method mesh
 tap_check "nor is one for newell" refused 'a mesh has no tree' render "$work/mesh.lim" --method newell
 tap_done
