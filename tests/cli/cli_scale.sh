@@ -76,7 +76,7 @@ tap_check "a mesh of more polygons than there are colours" make_scene mesh 60000
 tap_check "is drawn right, too" right mesh60000 0.02 --precision exact
 
 same_from_file() {
-    "$BUILD/limner" compile "$work/mesh8000.obj" -o "$work/wide" >"$work/said" &&
+    "$BUILD/limner" compile "$work/mesh8000.obj" --method nearest -o "$work/wide" >"$work/said" &&
         "$BUILD/limner" render "$work/mesh8000.obj" --camera "$work/few.cam" --size 64x64 --write-hashes "$work/hashes" &&
         "$BUILD/limner" render "$work/wide.lim" --camera "$work/few.cam" --size 64x64 --check "$work/hashes" && is_wide wide 1
 }
