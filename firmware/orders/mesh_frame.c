@@ -95,16 +95,16 @@ static LIM_INLINE bool faces_eye(lim_packed a, lim_packed b, lim_packed c, bool 
     return inside && !LIM_WIDE ? lim_packed_turns(a, b, c) : lim_packed_turns_far(a, b, c);
 }
 
-static inline void link_at(struct lim_mesh *mesh, lim_index triangle, int32_t top)
+static inline void link_at(struct lim_mesh *mesh, size_t triangle, int32_t top)
 {
     mesh->links[triangle] = mesh->tops[top];
-    mesh->tops[top] = triangle;
+    mesh->tops[top] = (lim_index)triangle;
     if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->polygons++;
 }
 
 /* What has pixels between two lines; those above the screen begin on its first. `nearness` is that of its corners,
  * OR'ed. */
-static inline void link_lines(struct lim_mesh *mesh, lim_index triangle, struct lim_span_extent lines,
+static inline void link_lines(struct lim_mesh *mesh, size_t triangle, struct lim_span_extent lines,
                               uint_fast16_t nearness)
 {
     if (lines.top >= lines.bottom || lines.bottom <= 0 || lines.top >= (int16_t)mesh->pass->target.h_px) return;
@@ -113,7 +113,7 @@ static inline void link_lines(struct lim_mesh *mesh, lim_index triangle, struct 
 }
 
 /* The same of what lies on the screen: its uppermost and its lowest corner. */
-static LIM_INLINE void link_inside_lines(struct lim_mesh *mesh, lim_index triangle, int32_t top, int32_t bottom)
+static LIM_INLINE void link_inside_lines(struct lim_mesh *mesh, size_t triangle, int32_t top, int32_t bottom)
 {
     const int32_t first = lim_edge_row((lim_edge_sub)top);
 
@@ -163,31 +163,38 @@ static inline bool mesh_is_beside(const struct lim_mesh *mesh, lim_packed a, lim
     return right <= 0 || left >= mesh->pass->target.w_px;
 }
 
-static LIM_INLINE void link_triangle(struct lim_mesh *mesh, lim_index triangle, const LIM_FLASH lim_index *corners,
-                                     uint8_t extent)
+static inline size_t number_of(const LIM_FLASH lim_index *corners, const LIM_FLASH lim_index *all)
+{
+    return (size_t)(corners - all) / LIM_TRIANGLE_WORDS;
+}
+
+/* `all`: the corners of triangle 0. Its number is asked for by those that are linked alone. */
+static LIM_INLINE void link_triangle(struct lim_mesh *mesh, const LIM_FLASH lim_index *corners,
+                                     const LIM_FLASH lim_index *all, uint8_t extent)
 {
     const lim_index i = corners[0], j = corners[1], k = corners[2];
 
     if (extent == LIM_VIEW_CLIPPED && (!mesh->nearness[i] || !mesh->nearness[j] || !mesh->nearness[k])) {
-        link_clipped(mesh, triangle);
+        link_clipped(mesh, (lim_index)number_of(corners, all));
         return;
     }
     const lim_packed a = lim_packed_load(&mesh->points[i]), b = lim_packed_load(&mesh->points[j]),
                      c = lim_packed_load(&mesh->points[k]);
     if (!faces_eye(a, b, c, extent == LIM_VIEW_INSIDE)) return;
     if (extent == LIM_VIEW_INSIDE)
-        link_inside_lines(mesh, triangle, lim_packed_least_y(a, b, c), lim_packed_most_y(a, b, c));
+        link_inside_lines(mesh, number_of(corners, all), lim_packed_least_y(a, b, c), lim_packed_most_y(a, b, c));
     else if (!mesh_is_beside(mesh, a, b, c))
-        link_lines(mesh, triangle, lines_of(a, b, c), mesh->nearness[i] | mesh->nearness[j] | mesh->nearness[k]);
+        link_lines(mesh, number_of(corners, all), lines_of(a, b, c),
+                   mesh->nearness[i] | mesh->nearness[j] | mesh->nearness[k]);
 }
 
 static LIM_INLINE void link_all(struct lim_mesh *mesh, uint8_t extent)
 {
-    const LIM_FLASH lim_index *corners = mesh->pass->scene->polygons;
-    const lim_index count = mesh->pass->scene->polygon_count;
+    const LIM_FLASH lim_index *const all = mesh->pass->scene->polygons;
+    const LIM_FLASH lim_index *const end = all + (size_t)mesh->pass->scene->polygon_count * LIM_TRIANGLE_WORDS;
 
-    for (lim_index triangle = 0; triangle < count; triangle++, corners += LIM_TRIANGLE_WORDS)
-        link_triangle(mesh, triangle, corners, extent);
+    for (const LIM_FLASH lim_index *corners = all; corners < end; corners += LIM_TRIANGLE_WORDS)
+        link_triangle(mesh, corners, all, extent);
 }
 
 static LIM_ALONE void link_inside(struct lim_mesh *mesh)

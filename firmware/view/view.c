@@ -136,21 +136,36 @@ static int16_t box_end(const LIM_FLASH struct lim_box *box, uint_fast8_t axis, b
     return (int16_t)(end > INT16_MAX ? INT16_MAX : end < INT16_MIN ? INT16_MIN : end);
 }
 
-/* Corners of the box that holds a mesh: their codes, OR'ed, and how near any comes. */
-static uint8_t box_codes(const struct lim_view *view, const struct lim_scene *scene, int32_t *least_z_qv)
+/* Where the corners of the box that holds a mesh lie. */
+struct box_view {
+    int32_t least_z_qv;  /* how near any comes */
+    uint8_t codes;       /* OR'ed */
+    bool is_well_inside; /* all are far from the screen's border, so any vertex is on it */
+};
+
+/* Two pixels or more from the border: half of one lies beyond the outer centres, and rounding may take one. */
+static bool is_well_within(int32_t at_qv, int32_t z_qv, int32_t side_px)
+{
+    const uint_fast8_t margin_bits = (uint_fast8_t)(29 - clz_u32((uint32_t)side_px)); /* 2^margin_bits <= side_px / 4 */
+
+    return side_px >= 8 && z_qv > 0 && abs_s32(at_qv) < (uint32_t)(z_qv - (z_qv >> margin_bits));
+}
+
+static struct box_view box_seen(const struct lim_view *view, const struct lim_scene *scene)
 {
     const LIM_FLASH struct lim_box *box = &scene->boxes[0];
-    uint8_t codes = 0;
+    struct box_view seen = {PERSPECTIVE_MAX_QV, 0, true};
 
-    *least_z_qv = PERSPECTIVE_MAX_QV;
     for (uint_fast8_t k = 0; k < 8; k++) {
         const struct lim_vertex corner = {box_end(box, 0, k & 1), box_end(box, 1, k & 2), box_end(box, 2, k & 4)};
         struct lim_view_point point;
         transform_units(view, &corner, &point);
-        codes |= codes_of(view, &point);
-        if (point.z_qv < *least_z_qv) *least_z_qv = point.z_qv;
+        seen.codes |= codes_of(view, &point);
+        seen.is_well_inside = seen.is_well_inside && is_well_within(point.x_qv, point.z_qv, view->width.px) &&
+                              is_well_within(point.y_qv, point.z_qv, view->height.px);
+        if (point.z_qv < seen.least_z_qv) seen.least_z_qv = point.z_qv;
     }
-    return codes;
+    return seen;
 }
 
 /* What the nearest vertex has; rounding may bring one a little nearer than the box. */
@@ -161,10 +176,10 @@ static uint32_t near_shift_of(const struct lim_view *view, int32_t least_z_qv)
     return perspective_depth(near_qv > view->rows.near_qv ? near_qv : view->rows.near_qv).shift;
 }
 
-/* Nothing of it needs to be clipped. Returns whether all of it lies on the screen: between its first and its last lines
- * and columns of centres. */
-static LIM_ALONE bool project_all(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
-                                  struct lim_point *points, uint16_t *nearness)
+/* Nothing of it needs to be clipped. Returns whether all of it lies on the screen, between its first and its last lines
+ * and columns of centres, where that is to be found out. */
+static LIM_INLINE bool project_each(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
+                                    struct lim_point *points, uint16_t *nearness, bool finds_out)
 {
     const LIM_FLASH struct lim_vertex *vertex = scene->vertices, *const end = vertex + scene->vertex_count;
     const int32_t from = -LIM_ORIGIN_PX * LIM_SUB;
@@ -179,11 +194,23 @@ static LIM_ALONE bool project_all(const struct lim_view *view, const struct lim_
         const struct lim_depth depth = perspective_depth(point.z_qv);
         const lim_packed at = lim_packed_of(perspective_at(point.x_qv, depth, &view->width),
                                             perspective_at(point.y_qv, depth, &view->height));
-        signs |= lim_packed_beyond(at, first, last);
+        if (finds_out) signs |= lim_packed_beyond(at, first, last);
         lim_packed_store(points++, at);
         *nearness++ = perspective_nearness(depth, near_shift);
     }
     return !lim_packed_is_beyond(signs);
+}
+
+static LIM_ALONE bool project_all(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
+                                  struct lim_point *points, uint16_t *nearness)
+{
+    return project_each(view, scene, near_shift, points, nearness, true);
+}
+
+static LIM_ALONE void project_inside(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
+                                     struct lim_point *points, uint16_t *nearness)
+{
+    project_each(view, scene, near_shift, points, nearness, false);
 }
 
 static void project_some(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
@@ -213,16 +240,19 @@ uint16_t lim_view_nearness(const struct lim_view_point *point, uint8_t near_shif
 enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
                                   uint16_t *nearness, uint8_t *shift)
 {
-    int32_t least_z_qv;
-    const uint8_t codes = box_codes(view, scene, &least_z_qv);
-    const uint32_t near_shift = near_shift_of(view, least_z_qv);
+    const struct box_view seen = box_seen(view, scene);
+    const uint32_t near_shift = near_shift_of(view, seen.least_z_qv);
 
     *shift = (uint8_t)near_shift;
     if (LIM_HAS_STATS) view->vertices += scene->vertex_count;
-    if (!(codes & LIM_VIEW_GUARD) && !LIM_OPTIMISE_SIZE)
+    if (LIM_OPTIMISE_SIZE || (seen.codes & LIM_VIEW_GUARD)) {
+        project_some(view, scene, near_shift, points, nearness);
+        return LIM_VIEW_CLIPPED;
+    }
+    if (!seen.is_well_inside)
         return project_all(view, scene, near_shift, points, nearness) ? LIM_VIEW_INSIDE : LIM_VIEW_WHOLE;
-    project_some(view, scene, near_shift, points, nearness);
-    return LIM_VIEW_CLIPPED;
+    project_inside(view, scene, near_shift, points, nearness);
+    return LIM_VIEW_INSIDE;
 }
 
 void lim_view_finer(struct lim_view *view, const struct lim_scene *scene, uint8_t bits, uint16_t *nearness,

@@ -10,6 +10,7 @@
 #include "rigs/set_rig.h"
 #include "unit/firmware/soup_rig.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -455,6 +456,83 @@ static void nothing_is_background(void **state)
         }
 }
 
+/* Screens' borders ------------------------------------------------------------------------------------------------ */
+
+enum { BORDER_SIDE = 3000, BORDER_MOST_PX = 64 };
+
+/* A square that fills its box, seen from in front: 2 BORDER_SIDE units wide. */
+static void make_square(void)
+{
+    soup_init(&soup);
+    for (int k = 0; k < 4; k++)
+        (void)soup_vertex(&soup, k & 1 ? BORDER_SIDE : -BORDER_SIDE, k & 2 ? BORDER_SIDE : -BORDER_SIDE, 0);
+    soup_triangle(&soup, 0, 1, 3);
+    soup_triangle(&soup, 0, 3, 2);
+    soup_done(&soup, 1);
+}
+
+/* Where along a screen's side the square begins and ends, pixels; one end lies a few pixels beside the border. */
+struct border {
+    double from_px, to_px;
+    int32_t eye_q8;
+};
+
+static struct border border_of(struct random *random, double units_in_px, uint16_t side_px, bool is_close)
+{
+    const double half_px = BORDER_SIDE / units_in_px, off_px = 6 * random_unit(random) - 3;
+    const double close_px = random_u64(random) & 1 ? side_px - half_px : half_px;
+    const double middle_px = off_px + (is_close ? close_px : side_px / 2.0);
+    const int32_t eye_q8 = (int32_t)lrint((side_px / 2.0 - middle_px) * units_in_px * 256);
+    const double middle_really_px = side_px / 2.0 - eye_q8 / (256 * units_in_px);
+
+    return (struct border){middle_really_px - half_px, middle_really_px + half_px, eye_q8};
+}
+
+/* Whether a pixel's centre is covered, 1 or 0; -1: rounding decides. */
+static int covers(const struct border *border, uint16_t at_px, double rounding_px)
+{
+    const double centre_px = at_px + 0.5;
+
+    if (fabs(centre_px - border->from_px) < rounding_px || fabs(centre_px - border->to_px) < rounding_px) return -1;
+    return centre_px > border->from_px && centre_px < border->to_px;
+}
+
+static void try_border(const struct core *core, struct random *random, enum lim_method method, unsigned kind)
+{
+    const uint16_t w_px = (uint16_t)random_in(random, 1, BORDER_MOST_PX),
+                   h_px = (uint16_t)random_in(random, 1, BORDER_MOST_PX);
+    const double size = (kind & 1 ? 0.6 : 0.99) + 0.06 * random_unit(random); /* of the smaller side */
+    const double units_in_px = 2 * BORDER_SIDE / (size * (w_px < h_px ? w_px : h_px)),
+                 tan_x = 0.2 + random_unit(random);
+    const double away = units_in_px * w_px / 2 / tan_x, rounding_px = core->sub_bits ? 0.05 : 1.2;
+    if (away > 30000 || tan_x * h_px / w_px * (1 << 28) > LIM_TAN_MAX_Q28) return;
+    /* y goes up, and down on the screen */
+    const struct border across = border_of(random, units_in_px, w_px, kind & 2),
+                        down = border_of(random, units_in_px, h_px, kind & 4);
+    const struct lim_camera camera = {.eye_q8 = {across.eye_q8, -down.eye_q8, (int32_t)lrint(away * 256)},
+                                      .tan_x_q28 = (uint32_t)lrint(tan_x * (1 << 28)),
+                                      .tan_y_q28 = (uint32_t)lrint(tan_x * h_px / w_px * (1 << 28)),
+                                      .near_q8 = 256};
+    struct soup_view view;
+
+    make_square();
+    assert_int_equal(soup_view_init(&view, core, &soup, method, w_px, h_px, 0, 0x5A), LIM_OK);
+    assert_int_equal(soup_view_draw(&view, &camera), LIM_OK);
+    for (uint16_t y = 0; y < h_px; y++)
+        for (uint16_t x = 0; x < w_px; x++) {
+            const int on_row = covers(&down, y, rounding_px), on_column = covers(&across, x, rounding_px);
+            if (on_row < 0 || on_column < 0) continue;
+            assert_int_equal(soup_view_at(&view, x, y) >= 0, on_row && on_column);
+        }
+    soup_view_free(&view);
+}
+
+static void what_ends_beside_the_border_is_there_to_the_border(void **state)
+{
+    (void)state;
+    try_all(try_border, 4000, 211);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -467,6 +545,7 @@ int main(void)
         cmocka_unit_test(scenes_and_methods_that_do_not_fit_are_refused),
         cmocka_unit_test(what_meshes_do_not_have_is_refused),
         cmocka_unit_test(nothing_is_background),
+        cmocka_unit_test(what_ends_beside_the_border_is_there_to_the_border),
     };
 
     return cmocka_run_group_tests_name("mesh_frames", tests, NULL, NULL);
