@@ -49,6 +49,9 @@ void options_settle_panel(struct options *options, const struct panel_choice *pa
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err);
 
+/* Whether frames go to one file, whose name has no place for a number. */
+bool options_one_file(const struct options *options);
+
 /* Whether the frames show all of what moves, as often as it takes, and end where they began: an orbit's do, unless both
  * how many they are and how many a second was said. */
 bool options_loop(const struct options *options, const struct moving *moving);
