@@ -284,14 +284,10 @@ static LIM_INLINE struct three three_at(const struct lim_point *points, lim_inde
     return three_of(lim_packed_load(&points[a]), lim_packed_load(&points[b]), lim_packed_load(&points[c]));
 }
 
+/* Rare, so registers go to what is done for each triangle. */
 static LIM_RARE void add_depth(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
 {
-    const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
-    const lim_index a = corners[0], b = corners[1], c = corners[2];
-    const struct lim_point at[3] = {mesh->points[a], mesh->points[b], mesh->points[c]};
-    const uint16_t near[3] = {mesh->nearness[a], mesh->nearness[b], mesh->nearness[c]};
-
-    lim_mesh_depth_set(active, at, near, y);
+    lim_mesh_depth_begin(mesh, active, y);
 }
 
 static inline lim_mesh_rank rank_of_three(uint32_t near_a, uint32_t near_b, uint32_t near_c, lim_index triangle)

@@ -15,7 +15,7 @@
 #if LIM_HAS_MESH_DEPTH
 
 /* Gradients in 16.16 a pixel, of a numerator and the area's reciprocal r 2^(shift - 46). */
-static uint32_t gradient_q16(int32_t numerator, uint32_t recip_q15, uint8_t shift, uint8_t halved_bits)
+static LIM_INLINE uint32_t gradient_q16(int32_t numerator, uint32_t recip_q15, uint8_t shift, uint8_t halved_bits)
 {
     uint32_t size = abs_s32(numerator);
     int32_t up = 16 + LIM_SUB_BITS + shift - 46 - halved_bits;
@@ -32,8 +32,8 @@ static uint32_t gradient_q16(int32_t numerator, uint32_t recip_q15, uint8_t shif
 }
 
 /* The axes apart: a triangle may be as narrow as a line is high. */
-static void set_differences(struct plane_of_three *plane, const struct lim_point *a, const struct lim_point *b,
-                            const struct lim_point *c)
+static LIM_INLINE void set_differences(struct plane_of_three *plane, const struct lim_point *a,
+                                       const struct lim_point *b, const struct lim_point *c)
 {
     plane->ux = (int32_t)b->x - a->x;
     plane->uy = (int32_t)b->y - a->y;
@@ -61,8 +61,8 @@ static void take_depth(struct lim_mesh_active *active, uint16_t y)
 enum { ABOVE_NOTHING = 1 << 14 };
 
 /* Nearness at a line's first pixel, from a corner where it is known. */
-static void mesh_set_plane(struct lim_mesh_active *active, const struct lim_point *a, uint16_t nearness, uint32_t x_q16,
-                           uint32_t y_q16, uint16_t y)
+static LIM_INLINE void mesh_set_plane(struct lim_mesh_active *active, const struct lim_point *a, uint16_t nearness,
+                                      uint32_t x_q16, uint32_t y_q16, uint16_t y)
 {
     const int32_t right_px = LIM_ORIGIN_PX + (a->x >> LIM_SUB_BITS), down_px = LIM_ORIGIN_PX + (a->y >> LIM_SUB_BITS);
     const int32_t part_x = a->x & (LIM_SUB - 1), part_y = a->y & (LIM_SUB - 1);
@@ -76,23 +76,41 @@ static void mesh_set_plane(struct lim_mesh_active *active, const struct lim_poin
     take_depth(active, y);
 }
 
-void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point at[3], const uint16_t nearness[3],
-                        uint16_t y)
+struct near_point {
+    struct lim_point at;
+    uint16_t nearness;
+};
+
+static LIM_INLINE void set_depth(struct lim_mesh_active *active, const struct near_point *a, const struct near_point *b,
+                                 const struct near_point *c, uint16_t y)
 {
-    const int32_t p = (int32_t)nearness[1] - nearness[0], q = (int32_t)nearness[2] - nearness[0];
+    const int32_t p = (int32_t)b->nearness - a->nearness, q = (int32_t)c->nearness - a->nearness;
     struct plane_of_three plane;
+    uint32_t x_q16 = 0, y_q16 = 0;
     uint8_t shift;
 
-    set_differences(&plane, &at[0], &at[1], &at[2]);
+    set_differences(&plane, &a->at, &b->at, &c->at);
     const int32_t area = plane.uy * plane.vx - plane.ux * plane.vy;
-    if (area <= 0) { /* a sliver, once it is halved: nowhere wider than a pixel */
-        mesh_set_plane(active, &at[0], nearness[0], 0, 0, y);
-        return;
+    if (area > 0) { /* else a sliver, once it is halved: nowhere wider than a pixel */
+        const uint32_t recip_q15 = recip_q15_of((uint32_t)area, &shift);
+        x_q16 = gradient_q16(q * plane.uy - p * plane.vy, recip_q15, shift, plane.halved_x);
+        y_q16 = gradient_q16(p * plane.vx - q * plane.ux, recip_q15, shift, plane.halved_y);
     }
-    const uint32_t recip_q15 = recip_q15_of((uint32_t)area, &shift);
-    const uint32_t x_q16 = gradient_q16(q * plane.uy - p * plane.vy, recip_q15, shift, plane.halved_x);
-    const uint32_t y_q16 = gradient_q16(p * plane.vx - q * plane.ux, recip_q15, shift, plane.halved_y);
-    mesh_set_plane(active, &at[0], nearness[0], x_q16, y_q16, y);
+    mesh_set_plane(active, &a->at, a->nearness, x_q16, y_q16, y);
+}
+
+static LIM_INLINE struct near_point near_point_of(const struct lim_mesh *mesh, lim_index vertex)
+{
+    return (struct near_point){mesh->points[vertex], mesh->nearness[vertex]};
+}
+
+void lim_mesh_depth_begin(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
+{
+    const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
+    const struct near_point a = near_point_of(mesh, corners[0]), b = near_point_of(mesh, corners[1]),
+                            c = near_point_of(mesh, corners[2]);
+
+    set_depth(active, &a, &b, &c, y);
 }
 
 /* Twice the size on the screen of a triangle of a fan. */
@@ -105,32 +123,37 @@ static int64_t size_of(const struct lim_mesh_clipped *clipped, uint_fast8_t k)
 }
 
 /* By the largest triangle of a fan. */
-void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mesh_clipped *clipped, uint16_t y)
+LIM_RARE void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mesh_clipped *clipped, uint16_t y)
 {
     uint_fast8_t largest = 1;
 
     for (uint_fast8_t k = 2; k + 1u < clipped->n; k++)
         if (size_of(clipped, k) > size_of(clipped, largest)) largest = k;
-    const struct lim_point at[3] = {clipped->at[0], clipped->at[largest], clipped->at[largest + 1]};
-    const uint16_t nearness[3] = {clipped->nearness[0], clipped->nearness[largest], clipped->nearness[largest + 1]};
-    lim_mesh_depth_set(active, at, nearness, y);
+    const struct near_point a = {clipped->at[0], clipped->nearness[0]},
+                            b = {clipped->at[largest], clipped->nearness[largest]},
+                            c = {clipped->at[largest + 1], clipped->nearness[largest + 1]};
+    set_depth(active, &a, &b, &c, y);
 }
 
-/* Pixels x0 <= x < x1. */
-static void mesh_fill(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active, int32_t x0, int32_t x1)
+/* Pixels x0 <= x < x1, of which there are some; counted from the last, so that one number leads to both lines. */
+static LIM_INLINE void mesh_fill(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active, int32_t x0,
+                                 int32_t x1)
 {
     const uint32_t step_q16 = active->depth->x_q16;
     uint32_t at_q16 = active->depth->at_q16 + (uint32_t)x0 * step_q16;
     const uint16_t colour = active->colour;
+    int32_t at = x0 - x1;
 
-    pixels += x0;
-    depths += x0;
-    for (const uint16_t *const end = pixels + (x1 - x0); pixels < end; pixels++, depths++, at_q16 += step_q16) {
+    pixels += x1;
+    depths += x1;
+    do {
         const uint32_t nearness = at_q16 >> 16;
-        if (nearness <= *depths) continue;
-        *depths = (uint16_t)nearness;
-        *pixels = colour;
-    }
+        if (nearness > depths[at]) {
+            depths[at] = (uint16_t)nearness;
+            pixels[at] = colour;
+        }
+        at_q16 += step_q16;
+    } while (++at < 0);
 }
 
 /* The line of depths is cleared where it is wanted first. */
@@ -168,17 +191,28 @@ static LIM_IF_CALLED void paint_deep_textured(struct lim_mesh *mesh, const struc
         lim_mesh_texture_paint_deep(mesh, line, active, span);
 }
 
-void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
-                          int32_t left, int32_t right)
+static LIM_INLINE void paint_deep(struct lim_mesh *mesh, const struct lim_mesh_line *line,
+                                  struct lim_mesh_active *active, int32_t left, int32_t right, int32_t x0, int32_t x1)
 {
-    const int32_t x0 = left > line->x0 ? left : line->x0, x1 = right < line->x1 ? right : line->x1;
-
-    if (x0 >= x1) return;
     if (LIM_HAS_TEXTURE)
         paint_deep_textured(mesh, line, active,
                             &(struct lim_mesh_depth_span){depths_of(mesh, line->y), left, right, x0, x1});
     else
         mesh_fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
+}
+
+void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                          int32_t left, int32_t right)
+{
+    paint_deep(mesh, line, active, left, right, left, right);
+}
+
+void lim_mesh_depth_paint_part(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                               int32_t left, int32_t right)
+{
+    const int32_t x0 = left > line->x0 ? left : line->x0, x1 = right < line->x1 ? right : line->x1;
+
+    if (x0 < x1) paint_deep(mesh, line, active, left, right, x0, x1);
 }
 
 #endif

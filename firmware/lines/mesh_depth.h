@@ -12,16 +12,18 @@
 
 #if LIM_HAS_MESH_DEPTH
 
-/* An entry whose edges are set for line y gets depth. */
-void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point at[3], const uint16_t nearness[3],
-                        uint16_t y);
+/* An entry that is not clipped and whose edges are set for line y gets depth. */
+void lim_mesh_depth_begin(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y);
 
 /* The same of what clipping has left. */
 void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mesh_clipped *clipped, uint16_t y);
 
-/* Paints what is nearest of one that has depth, between two edges of a line. */
+/* Paints what is nearest of one that has depth, between two edges of a line, which lie on it; or the part of it that
+ * does. */
 void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                           int32_t left, int32_t right);
+void lim_mesh_depth_paint_part(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                               int32_t left, int32_t right);
 
 /* On to line y, the next one; its edges are stepped already. false: that has none of it. */
 static inline bool lim_mesh_depth_next(struct lim_mesh_active *active, uint16_t y)
@@ -43,10 +45,9 @@ void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y);
 
 #else
 
-static inline void lim_mesh_depth_set(struct lim_mesh_active *active, const struct lim_point at[3],
-                                      const uint16_t nearness[3], uint16_t y)
+static inline void lim_mesh_depth_begin(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
 {
-    (void)active, (void)at, (void)nearness, (void)y;
+    (void)mesh, (void)active, (void)y;
 }
 
 static inline void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mesh_clipped *clipped,
@@ -57,6 +58,12 @@ static inline void lim_mesh_depth_clipped(struct lim_mesh_active *active, const 
 
 static inline void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line,
                                         struct lim_mesh_active *active, int32_t left, int32_t right)
+{
+    (void)mesh, (void)line, (void)active, (void)left, (void)right;
+}
+
+static inline void lim_mesh_depth_paint_part(struct lim_mesh *mesh, const struct lim_mesh_line *line,
+                                             struct lim_mesh_active *active, int32_t left, int32_t right)
 {
     (void)mesh, (void)line, (void)active, (void)left, (void)right;
 }

@@ -13,13 +13,6 @@
 
 #if LIM_HAS_MESHES
 
-void lim_mesh_clean(const struct lim_mesh *mesh, const struct lim_mesh_line *line)
-{
-    if (line->x0 >= line->x1) return;
-    lim_fill(line->pixels, line->x0, (uint16_t)(line->x1 - line->x0), lim_background_of(mesh->pass));
-    if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->pixels_background += (uint32_t)(line->x1 - line->x0);
-}
-
 /* Pixels x0 <= x < x1, as far as they lie on the line: those of what has depth as often as they are compared. */
 static inline void mesh_note(struct lim_stats *stats, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                              int32_t x0, int32_t x1)
@@ -65,11 +58,12 @@ static LIM_RARE void turn_deep(const struct lim_mesh *mesh, struct lim_mesh_acti
 
 /* Where an edge ends, on the line below; or of what has depth. false: that line has none of it. */
 static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t below,
-                             struct lim_mesh_active *active, int32_t x0, int32_t x1)
+                             struct lim_mesh_active *active, int32_t x0, int32_t x1, bool inside)
 {
     if (LIM_HAS_MESH_DEPTH && active->goes_on == LIM_MESH_DEEP) {
         if (LIM_HAS_STATS) note_deep(lim_stats_of(mesh->pass), line, active, x1, x0);
-        if (x1 < x0) lim_mesh_depth_paint(mesh, line, active, x1, x0);
+        if (x1 < x0 && inside) lim_mesh_depth_paint(mesh, line, active, x1, x0);
+        if (x1 < x0 && !inside) lim_mesh_depth_paint_part(mesh, line, active, x1, x0);
         if (!lim_mesh_depth_next(active, below)) return false;
         if (LIM_UNLIKELY(lim_mesh_depth_turns(active, below))) turn_deep(mesh, active, below);
         return true;
@@ -113,7 +107,7 @@ static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_li
     else if (x0 < x1)
         lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
     if (LIM_HAS_STATS && x0 < x1) mesh_note(lim_stats_of(mesh->pass), line, active, x0, x1);
-    return active->turn != below || go_on(mesh, line, below, active, left, right);
+    return active->turn != below || go_on(mesh, line, below, active, left, right, inside);
 }
 
 /* Paints those that are farther than a rank. Returns the link that leads to the next one. */

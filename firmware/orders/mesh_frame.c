@@ -8,6 +8,7 @@
 #include "lines/mesh_line.h"
 #include "lines/overlaid.h"
 #include "math/fixed.h"
+#include "pixels/fill.h"
 #include "pixels/target_parts.h"
 #include "screen/edge.h"
 #include "view/packed.h"
@@ -228,20 +229,33 @@ static LIM_RARE void refine(struct lim_mesh *mesh)
 
 /* A frame --------------------------------------------------------------------------------------------------------- */
 
+static inline void mesh_clean(struct lim_pass *pass, const struct lim_mesh_line *line)
+{
+    if (LIM_HAS_ROUND && line->x0 >= line->x1) return;
+    lim_fill(line->pixels, line->x0, (uint16_t)(line->x1 - line->x0), lim_background_of(pass));
+    if (LIM_HAS_STATS) lim_stats_of(pass)->pixels_background += (uint32_t)(line->x1 - line->x0);
+}
+
+static inline bool has_none(const struct lim_mesh *mesh)
+{
+    return mesh->first == &mesh->end && mesh->begins == &mesh->end;
+}
+
 static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y)
 {
-    const struct lim_pass *pass = mesh->pass;
+    struct lim_pass *pass = mesh->pass;
     const struct lim_target *target = &pass->target;
     struct lim_mesh_line line = {target->lend(target->ctx, y), 0, target->w_px, y};
 
     if (!line.pixels) return LIM_ERR_TARGET;
     if (LIM_HAS_ROUND && lim_target_is_round(target)) lim_target_visible(target, y, &line.x0, &line.x1);
-    lim_mesh_clean(mesh, &line);
+    mesh_clean(pass, &line);
     const bool is_crowded = mesh->crowd.first != LIM_NO_INDEX;
-    const lim_index left = is_crowded ? mesh->tops[y] : lim_mesh_begin_all(mesh, y);
+    lim_index left = mesh->tops[y];
+    if (!is_crowded && left != LIM_NO_INDEX) left = lim_mesh_begin_all(mesh, y);
     if (is_crowded || left != LIM_NO_INDEX)
         lim_mesh_paint_crowded(mesh, &line, left);
-    else
+    else if (!has_none(mesh))
         lim_mesh_paint(mesh, &line);
     lim_overlay_line(pass, line.pixels, y, line.x0, line.x1);
     return target->done(target->ctx, y, line.x0, (uint16_t)(line.x1 - line.x0));

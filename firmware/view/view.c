@@ -143,12 +143,12 @@ struct box_view {
     bool is_well_inside; /* all are far from the screen's border, so any vertex is on it */
 };
 
-/* Two pixels or more from the border: half of one lies beyond the outer centres, and rounding may take one. */
+/* A pixel or more from the border: half of one lies beyond the outer centres, and rounding takes less than another. */
 static bool is_well_within(int32_t at_qv, int32_t z_qv, int32_t side_px)
 {
-    const uint_fast8_t margin_bits = (uint_fast8_t)(29 - clz_u32((uint32_t)side_px)); /* 2^margin_bits <= side_px / 4 */
+    const uint_fast8_t margin_bits = (uint_fast8_t)(30 - clz_u32((uint32_t)side_px)); /* 2^margin_bits <= side_px / 2 */
 
-    return side_px >= 8 && z_qv > 0 && abs_s32(at_qv) < (uint32_t)(z_qv - (z_qv >> margin_bits));
+    return side_px >= 2 && z_qv > 0 && abs_s32(at_qv) < (uint32_t)(z_qv - (z_qv >> margin_bits));
 }
 
 static struct box_view box_seen(const struct lim_view *view, const struct lim_scene *scene)
