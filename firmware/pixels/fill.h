@@ -51,6 +51,15 @@ static LIM_HOT_INLINE void lim_fill_inline(uint16_t *line, int_fast16_t x0_px, i
     lim_fill_pairs((lim_pixel_pair *)line + from, (uint_fast16_t)(to - from), (uint32_t)colour << 16 | colour);
 }
 
+/* lim_fill() from pixel 0 on: a whole line, mostly. */
+static inline void lim_fill_line(uint16_t *line, uint16_t n_px, uint16_t colour)
+{
+    if (n_px >= 32 && n_px % 2 == 0)
+        lim_fill_many((lim_pixel_pair *)line, n_px / 2, (uint32_t)colour << 16 | colour);
+    else
+        lim_fill(line, 0, n_px, colour);
+}
+
 /* lim_fill() of line y, or, if that is NULL, by the target. */
 static inline void lim_fill_run(const struct lim_target *target, uint16_t *line, uint16_t y_px, uint16_t x_px,
                                 uint16_t n_px, uint16_t colour)
