@@ -229,8 +229,10 @@ struct lim_scene {
     const LIM_FLASH uint8_t *pvs;
     uint16_t place_count, pvs_bytes;
 #endif
-    /* Of a mesh: for LIM_MESH_DEPTH triangles from this one on have depth at each pixel. */
+    /* Of a mesh: for LIM_MESH_DEPTH triangles from this one on have depth at each pixel; where the eye is so near that
+     * triangles may be clipped, those from near_deep_from on, which is no more. */
     LIM_OPTIONAL(lim_index, deep_from, LIM_HAS_MESH_DEPTH);
+    LIM_OPTIONAL(lim_index, near_deep_from, LIM_HAS_MESH_DEPTH);
 };
 
 LIM_OPTIONAL_END
@@ -244,12 +246,6 @@ static inline bool lim_scene_is_mesh(const struct lim_scene *scene)
 static inline lim_index lim_triangle_texture_mask(uint16_t texture_count)
 {
     return (lim_index)(texture_count > LIM_TRIANGLE_TEXTURES ? UINT16_MAX : LIM_TRIANGLE_TEXTURES - 1);
-}
-
-/* The first triangle of a mesh that has depth. */
-static inline lim_index lim_mesh_deep_from(const struct lim_scene *scene)
-{
-    return LIM_HAS_MESH_DEPTH ? *scene->deep_from : scene->polygon_count;
 }
 
 static inline uint16_t lim_texture_count(const struct lim_scene *scene)

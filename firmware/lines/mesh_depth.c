@@ -135,7 +135,7 @@ LIM_RARE void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struc
     set_depth(active, &a, &b, &c, y);
 }
 
-/* Pixels x0 <= x < x1, of which there are some; counted from the last, so that one number leads to both lines. */
+/* Pixels x0 <= x < x1, one at least. Indices run from -n up to 0, so that one number leads to both lines. */
 static LIM_INLINE void mesh_fill(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active, int32_t x0,
                                  int32_t x1)
 {
@@ -161,7 +161,7 @@ static uint16_t *depths_of(struct lim_mesh *mesh, uint16_t y)
 {
     struct lim_mesh_depths *const depths = mesh->depths;
 
-    if (depths->y != y) lim_fill(depths->line, 0, mesh->pass->target.w_px, 0);
+    if (depths->y != y) lim_fill_line(depths->line, mesh->pass->target.w_px, 0);
     depths->y = y;
     return depths->line;
 }

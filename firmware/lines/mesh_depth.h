@@ -18,8 +18,8 @@ void lim_mesh_depth_begin(const struct lim_mesh *mesh, struct lim_mesh_active *a
 /* The same of what clipping has left. */
 void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struct lim_mesh_clipped *clipped, uint16_t y);
 
-/* Paints what is nearest of one that has depth, between two edges of a line, which lie on it; or the part of it that
- * does. */
+/* Paints a triangle that has depth between two edges, where it is nearest so far. left < right, both on the line. The
+ * second takes any edges, and paints the part that is on the line. */
 void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                           int32_t left, int32_t right);
 void lim_mesh_depth_paint_part(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,

@@ -41,7 +41,7 @@ static LIM_IF_CALLED void cut_depths(struct lim_mesh *mesh, uint8_t **at)
     const bool is_deep = LIM_IS_MESH_DEPTH(&pass->target);
 
     mesh->depths->line = is_deep ? lim_mem_cut(at, LIM_MESH_DEPTH_MEM_B(pass->target.w_px)) : NULL;
-    mesh->depths->from = is_deep ? lim_mesh_deep_from(pass->scene) : LIM_NO_INDEX;
+    mesh->depths->from = LIM_NO_INDEX;
 }
 
 /* Widest alignment first; what is left of the pool's size is not used. */
@@ -116,9 +116,10 @@ static inline void link_lines(struct lim_mesh *mesh, size_t triangle, struct lim
 /* The same of what lies on the screen: its uppermost and its lowest corner. */
 static LIM_INLINE void link_inside_lines(struct lim_mesh *mesh, size_t triangle, int32_t top, int32_t bottom)
 {
-    const int32_t first = lim_edge_row((lim_edge_sub)top);
+    const int32_t first = lim_edge_row((lim_edge_sub)top), end = lim_edge_row((lim_edge_sub)bottom);
 
-    if (first != lim_edge_row((lim_edge_sub)bottom)) link_at(mesh, triangle, first + LIM_ORIGIN_PX);
+    LIM_DEBUG_ASSERT(first + LIM_ORIGIN_PX >= 0 && end + LIM_ORIGIN_PX <= mesh->pass->target.h_px);
+    if (first != end) link_at(mesh, triangle, first + LIM_ORIGIN_PX);
 }
 
 /* Where a vertex lies outside of the screen, as VIEW says it: by its point, whose pixels begin there, or by its code.
@@ -229,10 +230,14 @@ static LIM_RARE void refine(struct lim_mesh *mesh)
 
 /* A frame --------------------------------------------------------------------------------------------------------- */
 
-static inline void mesh_clean(struct lim_pass *pass, const struct lim_mesh_line *line)
+static inline void mesh_clean(struct lim_pass *pass, const struct lim_mesh_line *line, uint16_t background)
 {
-    if (LIM_HAS_ROUND && line->x0 >= line->x1) return;
-    lim_fill(line->pixels, line->x0, (uint16_t)(line->x1 - line->x0), lim_background_of(pass));
+    if (LIM_HAS_ROUND && lim_target_is_round(&pass->target)) {
+        if (line->x0 >= line->x1) return;
+        lim_fill(line->pixels, line->x0, (uint16_t)(line->x1 - line->x0), background);
+    } else {
+        lim_fill_line(line->pixels, line->x1, background);
+    }
     if (LIM_HAS_STATS) lim_stats_of(pass)->pixels_background += (uint32_t)(line->x1 - line->x0);
 }
 
@@ -241,7 +246,7 @@ static inline bool has_none(const struct lim_mesh *mesh)
     return mesh->first == &mesh->end && mesh->begins == &mesh->end;
 }
 
-static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y)
+static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y, uint16_t background)
 {
     struct lim_pass *pass = mesh->pass;
     const struct lim_target *target = &pass->target;
@@ -249,7 +254,7 @@ static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y)
 
     if (!line.pixels) return LIM_ERR_TARGET;
     if (LIM_HAS_ROUND && lim_target_is_round(target)) lim_target_visible(target, y, &line.x0, &line.x1);
-    mesh_clean(pass, &line);
+    mesh_clean(pass, &line, background);
     const bool is_crowded = mesh->crowd.first != LIM_NO_INDEX;
     lim_index left = mesh->tops[y];
     if (!is_crowded && left != LIM_NO_INDEX) left = lim_mesh_begin_all(mesh, y);
@@ -261,20 +266,31 @@ static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y)
     return target->done(target->ctx, y, line.x0, (uint16_t)(line.x1 - line.x0));
 }
 
+/* Which triangles have depth is a matter of how near the eye is. */
+static inline void set_deep(struct lim_mesh *mesh)
+{
+    const struct lim_pass *pass = mesh->pass;
+
+    if (!LIM_HAS_MESH_DEPTH || !LIM_IS_MESH_DEPTH(&pass->target)) return;
+    mesh->depths->from = mesh->extent == LIM_VIEW_CLIPPED ? *pass->scene->near_deep_from : *pass->scene->deep_from;
+    mesh->depths->y = LIM_NONE;
+}
+
 int lim_mesh_frame(struct lim_mesh *mesh)
 {
     struct lim_pass *pass = mesh->pass;
 
     mesh->extent = (uint8_t)lim_view_all(&pass->view, pass->scene, mesh->points, mesh->nearness, &mesh->near_shift);
+    set_deep(mesh);
     link_triangles(mesh);
     if (mesh->extent == LIM_VIEW_CLIPPED) refine(mesh);
     if (LIM_HAS_TEXTURE) lim_mesh_texture_frame(mesh);
     lim_mesh_clear(mesh);
     mesh->crowd.first = LIM_NO_INDEX;
     mesh->parts = 0;
-    if (LIM_HAS_MESH_DEPTH) mesh->depths->y = LIM_NONE;
+    const uint16_t background = lim_background_of(pass);
     for (uint_fast16_t y = 0; y < pass->target.h_px; y++) {
-        const int err = mesh_draw_line(mesh, (uint16_t)y);
+        const int err = mesh_draw_line(mesh, (uint16_t)y, background);
         if (err) return err;
     }
     return LIM_OK;

@@ -138,12 +138,14 @@ static int16_t box_end(const LIM_FLASH struct lim_box *box, uint_fast8_t axis, b
 
 /* Where the corners of the box that holds a mesh lie. */
 struct box_view {
-    int32_t least_z_qv;  /* how near any comes */
-    uint8_t codes;       /* OR'ed */
-    bool is_well_inside; /* all are far from the screen's border, so any vertex is on it */
+    int32_t least_z_qv; /* how near any comes */
+    uint8_t codes;      /* OR'ed */
+    bool
+        is_well_inside; /* all are far from the screen's border, so any vertex is on it; fractions reach out of boxes */
 };
 
-/* A pixel or more from the border: half of one lies beyond the outer centres, and rounding takes less than another. */
+/* A pixel or more from the border, so half of one or more from the outer centres: rounding gets no farther than them.
+ */
 static bool is_well_within(int32_t at_qv, int32_t z_qv, int32_t side_px)
 {
     const uint_fast8_t margin_bits = (uint_fast8_t)(30 - clz_u32((uint32_t)side_px)); /* 2^margin_bits <= side_px / 2 */
@@ -161,7 +163,8 @@ static struct box_view box_seen(const struct lim_view *view, const struct lim_sc
         struct lim_view_point point;
         transform_units(view, &corner, &point);
         seen.codes |= codes_of(view, &point);
-        seen.is_well_inside = seen.is_well_inside && is_well_within(point.x_qv, point.z_qv, view->width.px) &&
+        seen.is_well_inside = !LIM_OPTIMISE_SIZE && !LIM_HAS_FRACTIONS && seen.is_well_inside &&
+                              is_well_within(point.x_qv, point.z_qv, view->width.px) &&
                               is_well_within(point.y_qv, point.z_qv, view->height.px);
         if (point.z_qv < seen.least_z_qv) seen.least_z_qv = point.z_qv;
     }

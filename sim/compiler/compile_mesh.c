@@ -148,9 +148,12 @@ static bool compile_triangles(struct compilation *work, struct compiled *out, st
         lim_image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, work->mesh, &encoding, &out->scene, TREE_MESH);
         out->report.draws = compile_options_draws(work->options);
+        out->original = work->mesh->original; /* lent: its faces are looked at */
         if (out->report.draws == LIM_MESH_DEPTH)
             ok = mesh_order_settle(out, work->options->core,
                                    mesh_order_share(work->options->core, work->options->wrong_percent), err);
+        out->original = NULL;
+        out->report.near_deep = out->scene.polygon_count - *out->scene.near_deep_from;
         out->report.deep = out->scene.polygon_count - *out->scene.deep_from;
     }
     encoding_free(&encoding);

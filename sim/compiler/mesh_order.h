@@ -8,7 +8,7 @@
 #include "core/core.h"
 #include "scene/compiled.h"
 
-/* The share of pixels that may have a wrong order: a fifth of what a profile may have wrong, or of a bound in percent;
+/* The share of pixels that may have a wrong order: a part of what a profile may have wrong, or of a bound in percent;
  * 0: there is none. NULL: fast. */
 double mesh_order_share(const struct core *core, double wrong_percent);
 

@@ -143,8 +143,10 @@ static void print_tree(const struct compiled *scene)
     printf("  %-28s %8s\n", "tree", tree_names[report->tree]);
     if (report->choice.kind) print_choice(report);
     if (report->tree == TREE_MESH) printf("    %-26s its order is approximate\n", method_name(report->draws));
-    if (report->tree == TREE_MESH && report->draws == LIM_MESH_DEPTH)
+    if (report->tree == TREE_MESH && report->draws == LIM_MESH_DEPTH) {
         print_count("  triangles with depth", report->deep);
+        print_count("    near the eye", report->near_deep);
+    }
     if (*report->splitter && report->tree != TREE_NONE) printf("  %-28s %8s\n", "splitter", report->splitter);
     if (report->tree != TREE_MESH) print_count("depth of the tree", report->depth);
     if (report->mono) printf("  %-28s %8s\n", "light and tones", "for black and white pixels");

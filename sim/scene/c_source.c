@@ -264,7 +264,8 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
     write_pointer(file, prefix, "fractions", scene->fractions ? scene->vertex_count : 0);
     if (scene->place_count) write_portals(file, scene, prefix);
     if (lim_scene_is_mesh(scene))
-        fprintf(file, "#if LIM_HAS_MESH_DEPTH\n    .deep_from = {%lu},\n#endif\n", (unsigned long)*scene->deep_from);
+        fprintf(file, "#if LIM_HAS_MESH_DEPTH\n    .deep_from = {%lu},\n    .near_deep_from = {%lu},\n#endif\n",
+                (unsigned long)*scene->deep_from, (unsigned long)*scene->near_deep_from);
     fprintf(file, "    .vertex_count = %u,\n    .node_count = %u,\n    .plane_count = %u,\n    .exact_count = %u,\n",
             (unsigned)scene->vertex_count, (unsigned)scene->node_count, (unsigned)scene->plane_count,
             (unsigned)scene->exact_count);

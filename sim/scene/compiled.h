@@ -80,7 +80,7 @@ struct compile_report {
     size_t depth;
     size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */
     size_t leaves;             /* nodes without a plane */
-    size_t deep;               /* of a mesh: triangles that have depth */
+    size_t deep, near_deep;    /* of a mesh: triangles that have depth; that have it near the eye */
     enum tree_kind tree;       /* the kind that won */
     struct tree_choice choice;
     double worst_violation_units; /* certified: how far any vertex lies on the wrong side */

@@ -358,8 +358,9 @@ bool lim_check(const struct lim_scene *scene, struct error *err)
         !lim_check_textures(scene, err))
         return false;
     if (!scene->node_count) return lim_check_mesh(scene, err);
-    if (*scene->deep_from)
-        return error_set(err, "depth from triangle %lu on, in a scene of polygons", (unsigned long)*scene->deep_from);
+    if (*scene->deep_from || *scene->near_deep_from)
+        return error_set(err, "depth from triangle %lu on, in a scene of polygons",
+                         (unsigned long)(*scene->deep_from | *scene->near_deep_from));
     if (*scene->uvs) return error_set(err, "places of vertices in textures, in a scene of polygons");
     work.depths = grow_zeroed(scene->node_count, sizeof *work.depths);
     work.used_words = grow_zeroed(scene->polygon_words, sizeof *work.used_words);

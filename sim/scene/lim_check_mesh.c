@@ -66,6 +66,9 @@ bool lim_check_mesh(const struct lim_scene *scene, struct error *err)
     if (*scene->deep_from > scene->polygon_count)
         return error_set(err, "depth from triangle %lu on, of %lu", (unsigned long)*scene->deep_from,
                          (unsigned long)scene->polygon_count);
+    if (*scene->near_deep_from > *scene->deep_from)
+        return error_set(err, "depth from triangle %lu on near the eye, and from %lu on elsewhere",
+                         (unsigned long)*scene->near_deep_from, (unsigned long)*scene->deep_from);
     if (!*scene->uvs != !scene->texture_count)
         return error_set(err, "a mesh of %u textures, and %s places of vertices in them",
                          (unsigned)scene->texture_count, *scene->uvs ? "with" : "without");

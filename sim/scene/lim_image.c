@@ -14,7 +14,7 @@
 /* No text, and damaged by whatever turns line ends: the idea of PNG's signature. */
 const unsigned char lim_file_magic[LIM_FILE_MAGIC_B] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n'};
 
-static_assert(sizeof(struct lim_file_header) == 136, "header");
+static_assert(sizeof(struct lim_file_header) == 144, "header");
 static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B, "header");
 static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
 static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
@@ -63,7 +63,7 @@ static const char HEADER_FIELDS[] = "11111111"
                                     "444444444444444"
                                     "2"
                                     "2222222"
-                                    "4";
+                                    "444";
 
 static uint64_t align_b(uint64_t size_b)
 {
@@ -117,6 +117,7 @@ void lim_image_bind(void *image, struct compiled *scene)
         .polygon_count = header->counts[SECTION_FACES],
         .background = header->background,
         .deep_from = {header->deep_from},
+        .near_deep_from = {header->near_deep_from},
         .uvs = {header->counts[SECTION_UVS] ? section_at(image, SECTION_UVS) : NULL},
     };
     memcpy(&scene->scene.limits, header->limits, sizeof scene->scene.limits);
@@ -151,7 +152,7 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
     memcpy(header.magic, lim_file_magic, sizeof header.magic);
     header.units_per_m = grid->units_per_m;
     header.background = encoding->background;
-    header.deep_from = encoding->node_count ? 0 : (uint32_t)encoding->record_count;
+    header.deep_from = header.near_deep_from = encoding->node_count ? 0 : (uint32_t)encoding->record_count;
     memcpy(header.origin_m, grid->origin_m, sizeof header.origin_m);
     for (int i = 0; i < SECTION_COUNT; i++)
         header.counts[i] = (uint32_t)counts[i];
@@ -177,7 +178,7 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
     lim_image_bind(image, out);
 }
 
-void lim_image_set_deep(struct compiled *scene, const bool *is_deep)
+void lim_image_set_deep(struct compiled *scene, const uint8_t *deep)
 {
     enum { TRIANGLE_B = LIM_TRIANGLE_WORDS * sizeof(lim_index) };
     struct lim_file_header *const header = scene->image;
@@ -190,15 +191,17 @@ void lim_image_set_deep(struct compiled *scene, const bool *is_deep)
 
     memcpy(old_words, words, count * TRIANGLE_B);
     memcpy(old_faces, faces, count * sizeof *old_faces);
-    for (int deep = 0; deep < 2; deep++) {
-        if (deep) header->deep_from = (uint32_t)to;
+    for (int kind = 0; kind < LIM_DEEP_COUNT; kind++) {
+        if (kind == LIM_DEEP_NEAR) header->near_deep_from = (uint32_t)to;
+        if (kind == LIM_DEEP_ALWAYS) header->deep_from = (uint32_t)to;
         for (size_t i = 0; i < count; i++) {
-            if (is_deep[i] != (deep == 1)) continue;
+            if (deep[i] != kind) continue;
             memcpy(words + to * TRIANGLE_B, old_words + i * TRIANGLE_B, TRIANGLE_B);
             faces[to++] = old_faces[i];
         }
     }
     *scene->scene.deep_from = header->deep_from;
+    *scene->scene.near_deep_from = header->near_deep_from;
     free(old_words);
     free(old_faces);
 }

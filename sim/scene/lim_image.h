@@ -9,7 +9,7 @@
 #include "scene/compiled.h"
 #include "scene/encoding.h"
 
-enum { LIM_FILE_VERSION = 8, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+enum { LIM_FILE_VERSION = 9, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
 extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
 
@@ -45,6 +45,8 @@ struct lim_file_header {
     uint16_t background;            /* RGB565 as a number */
     uint16_t limits[7];             /* the fields of struct lim_limits in their order */
     uint32_t deep_from;             /* of a mesh; else 0 */
+    uint32_t near_deep_from;        /* likewise */
+    uint32_t reserved;              /* 0 */
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */
@@ -69,8 +71,12 @@ void lim_image_set_pvs(struct compiled *scene, const struct lim_place *places, s
 /* Sets the limits of the scene and of its image. */
 void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits);
 
-/* Of a mesh: triangles with a flag set come last, in the order that they have, and are those with depth. */
-void lim_image_set_deep(struct compiled *scene, const bool *is_deep);
+/* When a triangle of a mesh has depth. */
+enum lim_deep { LIM_DEEP_NEVER, LIM_DEEP_NEAR, LIM_DEEP_ALWAYS, LIM_DEEP_COUNT };
+
+/* Of a mesh: first triangles without depth, then those that have it near the eye, then those that always have it; each
+ * kind in the order that it has. `deep`: of each triangle, enum lim_deep. */
+void lim_image_set_deep(struct compiled *scene, const uint8_t *deep);
 
 /* Turns the header, or the sections that a header in this host's order describes, between this
  * host's byte order and the other one. */

@@ -284,4 +284,5 @@ void fuzz_scene_make_mesh(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     made->boxes[made->scene.box_count++] = bounds_box(&bounds);
     made->scene.limits.active = fuzz_u8(bytes);
     *made->scene.deep_from = fuzz_below(bytes, made->scene.polygon_count + 1u);
+    *made->scene.near_deep_from = fuzz_below(bytes, *made->scene.deep_from + 1u);
 }

@@ -63,7 +63,7 @@ void soup_done(struct soup *soup, lim_index deep_from)
         soup->box.centre[axis] = (int16_t)centre;
         soup->box.half[axis] = (uint16_t)(high - centre > centre - low ? high - centre : centre - low);
     }
-    *soup->scene.deep_from = deep_from;
+    *soup->scene.deep_from = *soup->scene.near_deep_from = deep_from;
     soup->scene.limits.active = (uint16_t)soup->scene.polygon_count;
 }
 

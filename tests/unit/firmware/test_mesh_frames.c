@@ -26,6 +26,7 @@ static struct lim_camera make(struct random *random, unsigned kind)
     soup_random(&soup, random, kind, 3000);
     *soup.scene.deep_from = (lim_index)random_in(random, -20, (int)soup.scene.polygon_count + 20);
     if ((int)*soup.scene.deep_from < 0) *soup.scene.deep_from = 0;
+    *soup.scene.near_deep_from = (lim_index)random_in(random, 0, (int)*soup.scene.deep_from);
     return soup_camera(random, random_u64(random) & 1 ? 9000 : 2000);
 }
 
@@ -164,7 +165,7 @@ static void try_no_depth(const struct core *core, struct random *random, enum li
     static uint16_t by_distance[PICTURE_B / 2];
     const struct lim_camera camera = make(random, kind);
 
-    *soup.scene.deep_from = soup.scene.polygon_count;
+    *soup.scene.deep_from = *soup.scene.near_deep_from = soup.scene.polygon_count;
     draw_alone(core, method, &camera, expected);
     draw_alone(core, LIM_MESH, &camera, by_distance);
     assert_memory_equal(by_distance, expected, PICTURE_B);

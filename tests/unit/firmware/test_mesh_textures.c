@@ -82,6 +82,7 @@ static struct lim_camera make(struct random *random, unsigned kind, lim_index te
     soup.scene.texels = texels;
     soup.scene.texture_count = 3;
     *soup.scene.deep_from = (lim_index)random_in(random, 0, (int)soup.scene.polygon_count);
+    *soup.scene.near_deep_from = (lim_index)random_in(random, 0, (int)*soup.scene.deep_from);
     return soup_camera(random, random_u64(random) & 1 ? 9000 : 2000);
 }
 

@@ -345,6 +345,13 @@ static void triangles_that_lie_are_refused(void **state)
     victim = victim_new();
     victim->words[7] = 0x10000;
     assert_refused_and_free(victim, "triangle 1: its colour is 0x10000");
+    victim = victim_new();
+    *victim->scene.deep_from = 13;
+    assert_refused_and_free(victim, "depth from triangle 13 on, of 12");
+    victim = victim_new();
+    *victim->scene.deep_from = 3;
+    *victim->scene.near_deep_from = 4;
+    assert_refused_and_free(victim, "depth from triangle 4 on near the eye, and from 3 on elsewhere");
 }
 
 static void counts_of_a_mesh_that_lie_are_refused(void **state)
