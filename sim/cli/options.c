@@ -17,7 +17,6 @@
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum { ORBIT_FRAMES = 16, UNSAID_SIZE_PX = 240, MOST_RUNS = 60000, MOST_FRAMES = 100000 };
 
@@ -357,14 +356,15 @@ static bool asks_for_output(const struct options *options)
            options->check_path || options->hashes_path || options->cameras_path || options->stats || options->compare;
 }
 
-/* A file without a tree is drawn by the method that it is for, unless another is named. What cannot be read is refused
- * where it is loaded. */
+/* A file without a tree is drawn by the method that it is for, unless another is named, or what no such method draws is
+ * asked for. What cannot be read, or not be drawn, is refused where it is loaded. */
 static void settle_file(struct options *out)
 {
     struct compile_options *compile = &out->compile;
     struct compiled scene;
     struct error ignored;
-    if (compile->method || compile->tree != TREE_AUTO || !options_scene_is_compiled(out)) return;
+    const bool needs_tree = out->wireframe.on || compile->antialias || out->delta_runs;
+    if (compile->method || compile->tree != TREE_AUTO || needs_tree || !options_scene_is_compiled(out)) return;
     if (!lim_file_read(out->scene_path, &scene, &ignored)) return;
     compile->method = method_of_scene(&scene.scene);
     compiled_free(&scene);

@@ -46,8 +46,8 @@ static const struct method *first_of(enum lim_method draws)
 
 const struct method *method_of_scene(const struct lim_scene *scene)
 {
-    if (!lim_scene_is_mesh(scene)) return scene->limits.depth ? NULL : first_of(LIM_NEWELL);
-    return first_of(*scene->deep_from < scene->polygon_count ? LIM_MESH_DEPTH : LIM_MESH);
+    if (!lim_scene_is_mesh(scene)) return !scene->limits.depth && scene->limits.pieces ? first_of(LIM_NEWELL) : NULL;
+    return first_of(*scene->near_deep_from < scene->polygon_count ? LIM_MESH_DEPTH : LIM_MESH);
 }
 
 const char *method_name(enum lim_method draws)

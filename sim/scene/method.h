@@ -23,7 +23,8 @@ extern const size_t method_count;
 /* By its name, from --method; an unknown one is refused with the list of those there are. */
 const struct method *method_parse(const char *text, struct error *err);
 
-/* What draws a scene without a tree: a mesh, by depth where triangles have it, or a set. NULL: it has a tree. */
+/* What draws a scene without a tree: a mesh, by depth where triangles have it, or a set that may be split. NULL: it has
+ * a tree, or is a set that any sort might be for. */
 const struct method *method_of_scene(const struct lim_scene *scene);
 
 /* Whether it draws objects that move; an error says that it does not. */
