@@ -112,7 +112,7 @@ one_or_the_other() { # LIMIT
 # A mesh needs no tree: it may be compiled in time, and then compare has a row. One run is judged: another may end otherwise.
 rows_or_nothing() {
     rm -rf here && mkdir here
-    (cd here && timeout "$patience_s" "$limner" compare -o c ../heavy.obj --time-limit 1 >../out 2>../said </dev/null)
+    (cd here && timeout "$patience_s" "$limner" compare -o c ../heavy.obj --size 64x64 --time-limit 1 >../out 2>../said </dev/null)
     status=$?
     sed 's/^/said: /' said
     case $status in
