@@ -138,14 +138,12 @@ static int16_t box_end(const LIM_FLASH struct lim_box *box, uint_fast8_t axis, b
 
 /* Where the corners of the box that holds a mesh lie. */
 struct box_view {
-    int32_t least_z_qv; /* how near any comes */
-    uint8_t codes;      /* OR'ed */
-    bool
-        is_well_inside; /* all are far from the screen's border, so any vertex is on it; fractions reach out of boxes */
+    int32_t least_z_qv;  /* how near any comes */
+    uint8_t codes;       /* OR'ed */
+    bool is_well_inside; /* all are far from the screen's border, so any vertex is on it; fractions may reach beyond */
 };
 
-/* A pixel or more from the border, so half of one or more from the outer centres: rounding gets no farther than them.
- */
+/* A pixel or more from the border, so half of one or more from the outer centres: rounding does not pass them. */
 static bool is_well_within(int32_t at_qv, int32_t z_qv, int32_t side_px)
 {
     const uint_fast8_t margin_bits = (uint_fast8_t)(30 - clz_u32((uint32_t)side_px)); /* 2^margin_bits <= side_px / 2 */
