@@ -238,6 +238,11 @@ uint16_t lim_view_nearness(const struct lim_view_point *point, uint8_t near_shif
     return perspective_nearness(perspective_depth(point->z_qv), near_shift);
 }
 
+bool lim_view_is_near(const struct lim_view *view, const struct lim_scene *scene)
+{
+    return box_seen(view, scene).codes & LIM_VIEW_GUARD;
+}
+
 enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
                                   uint16_t *nearness, uint8_t *shift)
 {
