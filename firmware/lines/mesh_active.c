@@ -284,7 +284,7 @@ static LIM_INLINE struct three three_at(const struct lim_point *points, lim_inde
     return three_of(lim_packed_load(&points[a]), lim_packed_load(&points[b]), lim_packed_load(&points[c]));
 }
 
-/* Rare, so registers go to what is done for each triangle. */
+/* Apart and rare: so the compiler keeps registers for what is done with every triangle. */
 static LIM_RARE void add_depth(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
 {
     lim_mesh_depth_begin(mesh, active, y);

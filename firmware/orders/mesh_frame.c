@@ -272,9 +272,7 @@ static inline void set_deep(struct lim_mesh *mesh)
     const struct lim_pass *pass = mesh->pass;
 
     if (!LIM_HAS_MESH_DEPTH || !LIM_IS_MESH_DEPTH(&pass->target)) return;
-    const bool is_near =
-        mesh->extent == LIM_VIEW_CLIPPED && (!LIM_OPTIMISE_SIZE || lim_view_is_near(&pass->view, pass->scene));
-    mesh->depths->from = is_near ? *pass->scene->near_deep_from : *pass->scene->deep_from;
+    mesh->depths->from = mesh->extent == LIM_VIEW_CLIPPED ? *pass->scene->near_deep_from : *pass->scene->deep_from;
     mesh->depths->y = LIM_NONE;
 }
 

@@ -214,14 +214,15 @@ static LIM_ALONE void project_inside(const struct lim_view *view, const struct l
     project_each(view, scene, near_shift, points, nearness, false);
 }
 
+/* Those before the near plane or beyond the guard band are not, if there may be such. */
 static void project_some(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
-                         struct lim_point *points, uint16_t *nearness)
+                         struct lim_point *points, uint16_t *nearness, bool may_clip)
 {
     for (lim_index i = 0; i < scene->vertex_count; i++) {
         struct lim_view_point point;
         transform(view, scene, &scene->vertices[i], &point);
         const uint8_t codes = codes_of(view, &point);
-        if (codes & LIM_VIEW_GUARD) {
+        if (may_clip && (codes & LIM_VIEW_GUARD)) {
             points[i] = (struct lim_point){(int16_t)(codes & ~LIM_VIEW_GUARD), 0};
             nearness[i] = 0;
             continue;
@@ -238,11 +239,6 @@ uint16_t lim_view_nearness(const struct lim_view_point *point, uint8_t near_shif
     return perspective_nearness(perspective_depth(point->z_qv), near_shift);
 }
 
-bool lim_view_is_near(const struct lim_view *view, const struct lim_scene *scene)
-{
-    return box_seen(view, scene).codes & LIM_VIEW_GUARD;
-}
-
 enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
                                   uint16_t *nearness, uint8_t *shift)
 {
@@ -251,9 +247,10 @@ enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene 
 
     *shift = (uint8_t)near_shift;
     if (LIM_HAS_STATS) view->vertices += scene->vertex_count;
-    if (LIM_OPTIMISE_SIZE || (seen.codes & LIM_VIEW_GUARD)) {
-        project_some(view, scene, near_shift, points, nearness);
-        return LIM_VIEW_CLIPPED;
+    const bool may_clip = seen.codes & LIM_VIEW_GUARD;
+    if (LIM_OPTIMISE_SIZE || may_clip) {
+        project_some(view, scene, near_shift, points, nearness, may_clip);
+        return may_clip ? LIM_VIEW_CLIPPED : LIM_VIEW_WHOLE;
     }
     if (!seen.is_well_inside)
         return project_all(view, scene, near_shift, points, nearness) ? LIM_VIEW_INSIDE : LIM_VIEW_WHOLE;

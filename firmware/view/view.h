@@ -97,10 +97,6 @@ enum lim_view_extent {
     LIM_VIEW_CLIPPED /* some of it may have to be */
 };
 
-/* Whether a mesh's box reaches before the near plane or beyond the guard band. The smallest code takes all frames for
- * LIM_VIEW_CLIPPED, so it has to ask. */
-bool lim_view_is_near(const struct lim_view *view, const struct lim_scene *scene);
-
 /* All vertices of a mesh: where each is on the screen, and its nearness, 1 / z as perspective_nearness() has it; 0 for
  * one before the near plane or beyond the guard band, whose point's x is instead its code, without LIM_VIEW_GUARD. */
 enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
