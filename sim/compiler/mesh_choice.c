@@ -18,7 +18,7 @@
 static const double ENOUGH = 0.95;     /* of the instructions of the tree */
 static const double NO_WRONGER = 1.25; /* times the tree's wrong pixels, where it has more than promised itself */
 static const double DEEPER_SHARE = 0.2;
-enum { DEEPER = 2 }; /* times: wrong orders are looked for in fewer views than there are */
+enum { DEEPER = 2 }; /* times: wrong orders are looked for in a sample of views */
 
 /* Wrong pixels in percent that profiles promise: sim/README.md. Draft promises none: it is held against the tree. */
 double mesh_choice_promised_percent(const struct core *core)

@@ -2,8 +2,9 @@
  *
  * The renderer draws the triangles' numbers from sampled cameras. A depth buffer in double precision, of the same
  * triangles, says which is nearest at each pixel. Where another was painted that is farther there, the two are a
- * conflict; pairs with many such pixels get depth first, until few enough pixels are left. Then all is drawn again, as
- * what has depth meets what has none in other ways. Pixels near the nearest one's edges are not looked at: there
+ * conflict, which is right when both have depth. Triangles get it, those first that put most pixels right, until few
+ * enough pixels are left. Then all is drawn again, as what has depth meets what has none in other ways. Views in which
+ * the renderer may have to clip are counted apart. Pixels near the nearest one's edges are not looked at: there
  * rounding decides who paints. */
 #include "compiler/mesh_order.h"
 
