@@ -180,10 +180,11 @@ static LIM_ALONE bool begin_slow(struct lim_mesh_edge *edge, lim_packed from, li
 /* An edge on a line, both from the origin. false: it is to be begun anew before it ends. */
 static LIM_INLINE bool begin_edge(struct lim_mesh_edge *edge, lim_packed from, lim_packed to, int32_t row, int32_t end)
 {
+    const int32_t ax = lim_packed_x(from), ay = lim_packed_y(from), bx = lim_packed_x(to), by = lim_packed_y(to);
     struct lim_edge begun;
 
-    if (!lim_edge_begin_fast(&begun, lim_packed_x(from), lim_packed_y(from), lim_packed_x(to), lim_packed_y(to), row,
-                             end))
+    if (!lim_edge_begin_fast(&begun, ax, ay, bx, by, row, end) &&
+        !(EDGE_HAS_SMALL && begin_medium(&begun, ax, ay, bx, by, row)))
         return begin_slow(edge, from, to, row, end);
     lim_mesh_edge_take(edge, &begun);
     return true;

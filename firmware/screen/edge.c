@@ -226,7 +226,7 @@ bool lim_edge_begin_slow(struct lim_edge *edge, struct lim_point from, struct li
 
     edge->end = end;
     edge->next = 1;
-    if (EDGE_HAS_SMALL && begin_medium(edge, from.x, from.y, to.x, to.y, row)) return true;
+    if (EDGE_HAS_SMALL && begin_low(edge, from.x, from.y, to.x, to.y, row)) return true;
     if (EDGE_HAS_SMALL && begin_short(edge, from.x, from.y, to.x, to.y, row, end - LIM_ORIGIN_PX)) return true;
     begin_long(edge, at, 0, y);
     return edge->end == end;

@@ -127,6 +127,17 @@ static inline bool begin_small(struct lim_edge *edge, int32_t ax, int32_t ay, in
     return true;
 }
 
+/* The same of one that is lower, and narrower. */
+static inline bool begin_low(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
+{
+    const int32_t dx = bx - ax, dy = by - ay;
+
+    if ((uint32_t)(dy - LOW_LEAST_DY) >= SMALL_LEAST_DY - LOW_LEAST_DY) return false;
+    if ((uint32_t)(dx + LOW_DX) >= 2 * LOW_DX) return false;
+    set_by(edge, ax, ay, dx, dy, y, small_recip(dy), SMALL_SHIFT, SMALL_BIAS);
+    return true;
+}
+
 static inline bool begin_medium(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
 {
     const int32_t dx = bx - ax, dy = by - ay;
@@ -138,6 +149,12 @@ static inline bool begin_medium(struct lim_edge *edge, int32_t ax, int32_t ay, i
 }
 
 #else
+
+static inline bool begin_low(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
+{
+    (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
+    return false;
+}
 
 static inline bool begin_small(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
 {

@@ -21,6 +21,8 @@ enum {
     SMALL_LEAST_DY = 52, /* below: products might not fit */
     SMALL_DY = 1024,
     SMALL_DX = 3072,
+    LOW_LEAST_DY = SMALL_LEAST_DY / 4, /* where they are narrower, they do */
+    LOW_DX = SMALL_DX / 4,
     SMALL_RECIP_BITS = 27,
     SMALL_DROPPED_BITS = 2, /* of an entry, for products to fit */
     SMALL_SHIFT = SMALL_RECIP_BITS - SMALL_DROPPED_BITS - LIM_EDGE_BITS,
@@ -40,6 +42,8 @@ LIM_STATIC_ASSERT((2 * MEDIUM_BIAS + MEDIUM_LINES + 1) * MEDIUM_DY <= 1 << LIM_E
 LIM_STATIC_ASSERT((uint64_t)(SMALL_DX + SMALL_LEAST_DY) * SMALL_RECIP(SMALL_LEAST_DY) >> SMALL_DROPPED_BITS <=
                       INT32_MAX,
                   "their products fit");
+LIM_STATIC_ASSERT((uint64_t)(LOW_DX + LOW_LEAST_DY) * SMALL_RECIP(LOW_LEAST_DY) >> SMALL_DROPPED_BITS <= INT32_MAX,
+                  "those of low edges, too");
 LIM_STATIC_ASSERT((uint64_t)(SMALL_DX + SMALL_DY) * SMALL_RECIP(SMALL_DY / 2) <= INT32_MAX, "and these");
 
 extern const uint32_t lim_small_recips[SMALL_DY + 1];

@@ -168,15 +168,9 @@ static inline bool lim_packed_turns(lim_packed a, lim_packed b, lim_packed c)
     return __builtin_arm_smusdx(__builtin_arm_ssub16(b, a), __builtin_arm_ssub16(c, a)) < 0;
 }
 
-/* Bits of which one is set by lim_packed_is_beyond() where a point lies before the first corner or behind the last. */
-static inline uint32_t lim_packed_beyond(lim_packed at, lim_packed first, lim_packed last)
+static inline uint32_t packed_minus(lim_packed a, lim_packed b)
 {
-    return (uint32_t)__builtin_arm_ssub16(at, first) | (uint32_t)__builtin_arm_ssub16(last, at);
-}
-
-static inline bool lim_packed_is_beyond(uint32_t signs)
-{
-    return signs & 0x80008000u;
+    return (uint32_t)__builtin_arm_ssub16(a, b);
 }
 
 #else
@@ -187,12 +181,55 @@ static inline struct lim_packed_way lim_packed_way(lim_packed from, lim_packed t
     return way;
 }
 
+#if LIM_IS_PACKED
+
+/* Words are subtracted whole: where the lower half borrows, the upper one is less by 1. */
+static inline uint32_t packed_minus(lim_packed a, lim_packed b)
+{
+    return (uint32_t)a - (uint32_t)b;
+}
+
+/* lim_packed_way() of points less than 2^15 apart. */
+static inline struct lim_packed_way packed_way_near(lim_packed from, lim_packed to)
+{
+    const uint32_t both = packed_minus(to, from);
+    const int32_t dx = (int16_t)both;
+    const struct lim_packed_way way = {dx, (int32_t)(both - (uint32_t)dx) >> 16};
+    return way;
+}
+
+#else
+
+static inline struct lim_packed_way packed_way_near(lim_packed from, lim_packed to)
+{
+    return lim_packed_way(from, to);
+}
+
+#endif
+
 static inline bool lim_packed_turns(lim_packed a, lim_packed b, lim_packed c)
 {
-    const int32_t ux = lim_packed_x(b) - lim_packed_x(a), uy = lim_packed_y(b) - lim_packed_y(a);
-    const int32_t vx = lim_packed_x(c) - lim_packed_x(a), vy = lim_packed_y(c) - lim_packed_y(a);
-    return ux * vy < uy * vx;
+    const struct lim_packed_way u = packed_way_near(a, b), v = packed_way_near(a, c);
+    return u.dx * v.dy < u.dy * v.dx;
 }
+
+#endif
+
+/* Bits of which one is set by lim_packed_is_beyond() where a point lies before the first corner or behind the last; a
+ * point just on the border may count as beyond it. */
+#if LIM_IS_PACKED
+
+static inline uint32_t lim_packed_beyond(lim_packed at, lim_packed first, lim_packed last)
+{
+    return packed_minus(at, first) | packed_minus(last, at);
+}
+
+static inline bool lim_packed_is_beyond(uint32_t signs)
+{
+    return signs & 0x80008000u;
+}
+
+#else
 
 static inline uint32_t lim_packed_beyond(lim_packed at, lim_packed first, lim_packed last)
 {

@@ -6,6 +6,7 @@
 
 #include "random.h"
 #include "screen/edge.h"
+#include "screen/edge_begin.h"
 
 #include <stdio.h>
 
@@ -118,6 +119,72 @@ static inline void edge_rig_check_many(uint64_t seed)
         lines += edge_rig_check(&random, edge_rig_band(k % 2 ? LIM_MAX_SIDE_PX : 64));
     printf("# %d fraction bits: %zu lines of edges\n", LIM_EDGE_BITS, lines);
     assert_true(lines > 500000);
+}
+
+/* A single edge, downwards; half of them are small, and some of these low. */
+static inline void edge_rig_edge(struct random *random, struct edge_rig_band band, struct lim_point *from,
+                                 struct lim_point *to)
+{
+    const bool is_small = random_u64(random) & 1, is_low = random_u64(random) & 1;
+    const int64_t high = is_low ? LIM_SUB / 2 : 20 * LIM_SUB, wide = is_low ? 8 * LIM_SUB : 26 * LIM_SUB;
+
+    *from = (struct lim_point){edge_rig_coordinate(random, band), edge_rig_coordinate(random, band)};
+    *to = (struct lim_point){edge_rig_coordinate(random, band), edge_rig_coordinate(random, band)};
+    if (is_small) {
+        const int64_t x = from->x + random_in(random, -wide, wide), y = from->y + random_in(random, 1, high);
+        to->x = (lim_sub)(x < band.low ? band.low : x > band.high ? band.high : x);
+        to->y = (lim_sub)(y > band.high ? band.high : y);
+    }
+    if (from->y > to->y) {
+        const struct lim_point upper = *to;
+        *to = *from;
+        *from = upper;
+    }
+}
+
+/* Each way to begin an edge that takes it, as often as it does. */
+struct edge_rig_ways {
+    size_t fast, low, medium, slow;
+};
+
+/* From line y to the end. */
+static inline void edge_rig_follow(struct lim_edge edge, struct lim_point from, struct lim_point to, int16_t y,
+                                   int16_t end, size_t *taken)
+{
+    for (; y < end; y++) {
+        assert_int_equal(lim_edge_x(&edge), edge_rig_first_pixel(from, to, y));
+        lim_edge_step(&edge);
+    }
+    (*taken)++;
+}
+
+static inline void edge_rig_check_single(struct random *random, struct edge_rig_band band, struct edge_rig_ways *ways)
+{
+    struct lim_point from, to;
+    struct lim_edge edge = {0};
+
+    edge_rig_edge(random, band, &from, &to);
+    const int16_t top = lim_edge_line_of(from.y), end = lim_edge_line_of(to.y);
+    if (top >= end) return;
+    const int16_t y = (int16_t)(random_u64(random) % 4 ? top : random_in(random, top, end - 1));
+    const int32_t row = y - LIM_ORIGIN_PX, end_row = end - LIM_ORIGIN_PX;
+    if (lim_edge_begin_fast(&edge, from.x, from.y, to.x, to.y, row, end_row))
+        edge_rig_follow(edge, from, to, y, end, &ways->fast);
+    if (begin_low(&edge, from.x, from.y, to.x, to.y, row)) edge_rig_follow(edge, from, to, y, end, &ways->low);
+    if (begin_medium(&edge, from.x, from.y, to.x, to.y, row)) edge_rig_follow(edge, from, to, y, end, &ways->medium);
+    if (lim_edge_begin_slow(&edge, from, to, y, end)) edge_rig_follow(edge, from, to, y, end, &ways->slow);
+}
+
+/* Edges of a mesh. */
+static inline struct edge_rig_ways edge_rig_check_singles(uint64_t seed)
+{
+    struct random random = {seed};
+    struct edge_rig_ways ways = {0};
+
+    for (int k = 0; k < 200000; k++)
+        edge_rig_check_single(&random, edge_rig_band(k % 2 ? LIM_MAX_SIDE_PX : 64), &ways);
+    printf("# begun fast %zu, low %zu, medium %zu, slowly %zu\n", ways.fast, ways.low, ways.medium, ways.slow);
+    return ways;
 }
 
 #endif
