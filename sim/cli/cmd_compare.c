@@ -230,6 +230,7 @@ static void comparing_free(struct comparing *comparing)
     camera_path_free(&comparing->cost_path);
     free(comparing->table.rows);
     free(comparing->cells);
+    measure_request_free(&comparing->request);
 }
 
 int cmd_compare(int argc, char **argv)

@@ -47,7 +47,8 @@ enum option_code {
     OPTION_MOVER_LIGHT,
     OPTION_REPORT,
     OPTION_OVERLAY,
-    OPTION_WORST
+    OPTION_WORST,
+    OPTION_PATH
 };
 
 static const struct option OPTIONS[] = {
@@ -78,6 +79,7 @@ static const struct option OPTIONS[] = {
     {"near", required_argument, NULL, OPTION_NEAR},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
+    {"path", required_argument, NULL, OPTION_PATH},
     {"worst", optional_argument, NULL, OPTION_WORST},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
@@ -160,6 +162,8 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return camera_choice_parse(optarg, &out->bound.cameras, err);
     case OPTION_CORE:
         return measure_cpu_parse(optarg, &out->bound.cpu, err);
+    case OPTION_PATH:
+        return compile_path_parse(optarg, &out->compile, err);
     case OPTION_WORST:
         return worst_tries_parse(optarg, &out->compile.worst_tries, err);
     case OPTION_MOVERS:
@@ -326,6 +330,11 @@ bool compile_request_run(struct compile_request *request, struct compile_result 
     *out = (struct compile_result){grow_zeroed(count, sizeof *out->scenes), grow_zeroed(count, sizeof *out->moving),
                                    grow_zeroed(count, sizeof *out->named), grow_zeroed(count, sizeof *out->names), 0};
     return (!request->name || name_all(request, out, err)) && choose(request, err) && compile_all(request, out, err);
+}
+
+void compile_request_free(struct compile_request *request)
+{
+    camera_path_free(&request->compile.path);
 }
 
 void compile_result_free(struct compile_result *result)

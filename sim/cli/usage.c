@@ -140,6 +140,9 @@ static const struct usage_entry ENTRIES[] = {
     {COMPILE | EXPORT | MEASURE | ONE,
      "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (measure: off)\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
+     "  --path FILE         the cameras that the program has, a line a frame as for --camera: method, tree and pools\n"
+     "                      are for these views, and any other may cost a second walk (sampled cameras)\n"},
+    {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
      "  --worst             pools for the views that take most of 2000 searched ones (--worst=CAMERAS: of so many),\n"
      "                      beside those that are sampled: such frames take no second walk\n"},
     {0, "compile and render, of models with animations (measure and compare draw all of the animation):\n"},

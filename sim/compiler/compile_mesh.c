@@ -334,6 +334,7 @@ bool compilation_tree(struct compilation *work, enum tree_kind kind, struct comp
     out->report.fill = options->fill;
     out->report.framebuffer = options->framebuffer;
     out->report.delta_runs = options->delta;
+    out->report.path = (struct path_report){options->path.name, options->path.frames, options->path.count};
     out->report.worst.tries = options->worst_tries;
     ok = ok && compile_measured(out, options, err);
     progress_end();

@@ -20,6 +20,12 @@ bool compile_options_settle(struct compile_options *options, struct error *err)
                      tree_names[options->tree]);
 }
 
+bool compile_path_parse(const char *text, struct compile_options *out, struct error *err)
+{
+    camera_path_free(&out->path);
+    return camera_path_read(text, &out->path, err);
+}
+
 bool compile_method_parse(const char *text, struct compile_options *out, struct error *err)
 {
     out->method = method_parse(text, err);

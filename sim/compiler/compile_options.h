@@ -5,6 +5,7 @@
 #define SIM_COMPILE_OPTIONS_H
 
 #include "base/error.h"
+#include "cameras/camera_path.h"
 #include "model/model_orientation.h"
 #include "scene/method.h"
 #include "scene/tree_kind.h"
@@ -41,11 +42,15 @@ struct compile_options {
     bool wireframe;                 /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals;    /* whether to store what is seen from where; AUTO: if it pays */
     double near_m;                  /* of the cameras that it is for; 0: lens_default_near_m() */
-    double forced_near_m; /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
-    bool drop_small;      /* leave out what is too small for the grid, instead of refusing the model */
-    size_t worst_tries;   /* cameras to search the worst views among, for pools that hold them; 0: none */
-    bool predict;         /* measure the wrong-pixel share for the report: takes a second or so */
+    double forced_near_m;    /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
+    bool drop_small;         /* leave out what is too small for the grid, instead of refusing the model */
+    struct camera_path path; /* cameras that it is chosen for; whoever has the options frees it. Empty: sampled ones */
+    size_t worst_tries;      /* cameras to search the worst views among, for pools that hold them; 0: none */
+    bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
 };
+
+/* --path: reads a camera file. What was read before is freed. */
+bool compile_path_parse(const char *text, struct compile_options *out, struct error *err);
 
 /* --method: names how to draw and, for some methods, the tree. */
 bool compile_method_parse(const char *text, struct compile_options *out, struct error *err);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * By distance is tried before by depth, as it is cheaper; each has to be cheaper than the tree by enough to be no mere
- * guess. What is wrong in whichever is worse, all cameras or those that have all in view, counts: large triangles err
- * in some views and dense ones in others. */
+ * guess, or as cheap and smaller. What is wrong in whichever is worse, all cameras or those that have all in view,
+ * counts: large triangles err in some views and dense ones in others. */
 #include "compiler/mesh_choice.h"
 
 #include "accuracy/predict.h"
@@ -15,7 +15,7 @@
 
 #include <math.h>
 
-static const double ENOUGH = 0.95;     /* of the instructions of the tree */
+static const double ENOUGH = 0.95;     /* of the instructions of the tree, or of its bytes */
 static const double NO_WRONGER = 1.25; /* times the tree's wrong pixels, where it has more than promised itself */
 static const double DEEPER_SHARE = 0.2;
 enum { DEEPER = 2 }; /* times: wrong orders are looked for in a sample of views */
@@ -44,6 +44,16 @@ static bool is_open(const struct compile_options *options, const struct compiled
     return !isnan(report->instructions);
 }
 
+/* In instructions, or, where these are no more, in working memory and in flash. */
+static bool is_cheaper(const struct mesh_choice *choice, const struct compiled *trial)
+{
+    const double instructions = trial->report.instructions;
+    if (instructions <= ENOUGH * choice->tree_instructions) return true;
+    return instructions <= choice->tree_instructions &&
+           (double)mcu_mem_b(trial) <= ENOUGH * (double)choice->tree_mem_b &&
+           (double)trial->report.flash_b <= ENOUGH * (double)choice->tree_flash_b;
+}
+
 /* Out of time, or no cheaper than the tree: it is none. */
 static bool try_one(const struct mesh *mesh, const struct compile_options *options, const char *name,
                     const struct compiled *scene, struct mesh_trial *trial, struct compiled *out)
@@ -58,7 +68,7 @@ static bool try_one(const struct mesh *mesh, const struct compile_options *optio
     out->original = mesh->original ? original_share(mesh->original) : NULL;
     out->report.near_m = scene->report.near_m;
     trial->instructions = out->report.instructions;
-    if (!deadline_passed() && trial->instructions <= ENOUGH * scene->report.as_mesh.tree_instructions) return true;
+    if (!deadline_passed() && is_cheaper(&scene->report.as_mesh, out)) return true;
     compiled_free(out);
     return false;
 }

@@ -113,7 +113,8 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     uint32_t *numbers;
     struct grid grid;
     own.predict = false;
-    own.worst_tries = 0; /* pools are the scene's */
+    own.worst_tries = 0;                /* pools are the scene's */
+    own.path = (struct camera_path){0}; /* and so are cameras */
     own.forced_near_m = lens_forced_near_m(scene_grid);
     own.method = &methods[0];
     own.tree = TREE_BSP;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Frames from sampled cameras with pools that cannot run out; what they used, and some more. Who needs
- * even more falls back to bands, or projects a solid's faces again. The greediest is left out: in an open scene it may
- * be a stray, an eye where nobody is meant to be. What stands alone takes most of the pools when it just fills the
- * screen, which few eyes anywhere around it see: so there are portraits as well. */
+ * Frames from sampled cameras, or from the program's own, with pools that cannot run out; what they used, and some
+ * more. Who needs even more falls back to bands, or projects a solid's faces again. The greediest is left out: in an
+ * open scene it may be a stray, an eye where nobody is meant to be. What stands alone takes most of the pools when it
+ * just fills the screen, which few eyes anywhere around it see: so there are portraits as well. */
 #include "compiler/pool_sizes.h"
 
 #include "base/deadline.h"
@@ -38,7 +38,7 @@ enum { SHARED_UNIT_B = 4, SHARED_MARGIN = 32, FEW_GREEDY = 50 };
 
 /* What each camera used of each pool. */
 struct usage {
-    size_t cameras;
+    size_t cameras, strays; /* of the greediest, as many are left out */
     uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS];
     uint16_t shared[CAMERAS];           /* of the memory that the first three share, in SHARED_UNIT_B */
     struct counted_memory memory;       /* what it is counted by */
@@ -71,11 +71,11 @@ static int compare_u16(const void *a, const void *b)
     return *(const uint16_t *)a - *(const uint16_t *)b;
 }
 
-static uint16_t most(uint16_t *used, size_t cameras)
+static uint16_t most(const struct usage *usage, uint16_t *used)
 {
-    if (cameras <= STRAYS) return 0;
-    qsort(used, cameras, sizeof *used, compare_u16);
-    return used[cameras - 1 - STRAYS];
+    if (usage->cameras <= usage->strays) return 0;
+    qsort(used, usage->cameras, sizeof *used, compare_u16);
+    return used[usage->cameras - 1 - usage->strays];
 }
 
 static void note(struct usage *usage, const struct simulator *simulator)
@@ -109,13 +109,28 @@ static int after_enough(const struct usage *usage, const struct moving *moving, 
     return i < SAMPLED + FEW ? i : CAMERAS;
 }
 
+static int camera_count(const struct compiled *scene)
+{
+    const size_t count = scene->report.path.count;
+    return !count ? CAMERAS : count < CAMERAS ? (int)count : CAMERAS;
+}
+
+/* The i-th of so many frames of a path, as evenly as can be. */
+static const struct viewpoint *frame_of_path(const struct compiled *scene, int i)
+{
+    const struct path_report *path = &scene->report.path;
+    return &path->frames[(size_t)i * path->count / (size_t)camera_count(scene)];
+}
+
 /* The i-th camera; false: there is none. Out-of-range ones (a scene of thousands of kilometres) are passed over. */
 static bool next_camera(struct sampler *sampler, int i, const struct lens *lens, struct lim_camera *out)
 {
     struct viewpoint viewpoint;
     struct error ignored;
 
-    if (i < SAMPLED)
+    if (sampler->scene->report.path.count)
+        viewpoint = *frame_of_path(sampler->scene, i);
+    else if (i < SAMPLED)
         viewpoint = sampler_next(sampler);
     else if (!sampler_portrait(sampler, &viewpoint))
         return false;
@@ -125,30 +140,42 @@ static bool next_camera(struct sampler *sampler, int i, const struct lens *lens,
 
 /* What is found from few cameras may be too little, which costs time in frames, and pixels only of methods that sort.
  */
-static bool ends_early(const struct usage *usage)
+static bool ends_early(const struct usage *usage, int cameras)
 {
     if (usage->cameras < CAMERAS_AT_LEAST || !deadline_passed()) return false;
-    deadline_say("pools measured on %zu of %d sampled cameras%s", usage->cameras, (int)CAMERAS,
+    deadline_say("pools measured on %zu of %d cameras%s", usage->cameras, cameras,
                  usage->splits_max ? "; others may have no room for pieces of polygons" : "");
     return true;
+}
+
+/* A path's cameras may have times of their own; else they, or the sampled ones, go through all of the animation. */
+static double time_s_of(const struct compiled *scene, const struct moving *moving, int i)
+{
+    const bool has_path = scene->report.path.count > 0;
+    const struct viewpoint *const own = has_path ? frame_of_path(scene, i) : NULL;
+    if (own && own->has_time) return own->time_s;
+    return moving_length_s(moving) * i / (own ? camera_count(scene) : SAMPLED);
 }
 
 static bool sample_frames(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
                           struct usage *usage, struct error *err)
 {
+    const bool is_sampled = !scene->report.path.count;
+    const int cameras = camera_count(scene);
     struct sampler sampler;
     struct lens lens;
 
     sampler_init(&sampler, scene);
+    usage->strays = is_sampled ? STRAYS : 0;
     if (!lens_for_grid(&lens, FOV_DEG, 0, &scene->grid, simulator->target.w_px, simulator->target.h_px, err))
         return false;
-    for (int i = 0; i < CAMERAS && !is_too_much(usage) && !ends_early(usage); i++) {
+    for (int i = 0; i < cameras && !is_too_much(usage) && !ends_early(usage, cameras); i++) {
         struct lim_camera camera;
-        i = after_enough(usage, moving, i);
+        if (is_sampled) i = after_enough(usage, moving, i);
         if (i == CAMERAS) break;
-        progress_bar((size_t)i, CAMERAS, "sampled cameras");
+        progress_bar((size_t)i, (size_t)cameras, "%scameras", is_sampled ? "sampled " : "");
         if (!next_camera(&sampler, i, &lens, &camera)) continue;
-        if (moving) moving_pose(moving, moving_length_s(moving) * i / SAMPLED);
+        if (moving) moving_pose(moving, time_s_of(scene, moving, i));
         if (!simulator_frame(simulator, &camera, err)) return false;
         note(usage, simulator);
     }
@@ -189,7 +216,7 @@ static bool sample_convex(struct compiled *roomy, struct simulator_setup *setup,
     setup->method = LIM_CONVEX;
     roomy->scene.limits.active = (uint16_t)(roomy->scene.polygon_count < PLENTY ? roomy->scene.polygon_count : PLENTY);
     if (!sample_method(roomy, NULL, setup, STYLE_PLAIN, &usage, err)) return false;
-    const uint16_t crossing = with_margin(most(usage.active, usage.cameras), 1);
+    const uint16_t crossing = with_margin(most(&usage, usage.active), 1);
     *active = crossing > *active ? crossing : *active;
     return true;
 }
@@ -208,8 +235,8 @@ static uint16_t greater(uint16_t a, uint16_t b)
 
 static uint32_t most_shared_b(struct usage *usage)
 {
-    const uint32_t greatest = most(usage->shared, usage->cameras);
-    const size_t few = usage->cameras / FEW_GREEDY + STRAYS;
+    const uint32_t greatest = most(usage, usage->shared);
+    const size_t few = usage->cameras / FEW_GREEDY + usage->strays;
     const uint32_t spread = few < usage->cameras ? greatest - usage->shared[usage->cameras - 1 - few] : 0;
     const uint32_t least = greatest / SHARED_MARGIN + 1;
 
@@ -229,10 +256,10 @@ static void raise_to_searched(const struct pool_search_result *searched, struct 
 static void raise_one_by_one(struct usage *usage, struct lim_limits *limits)
 {
     raise_to_searched(&usage->searched, limits);
-    const uint16_t cells = with_margin(most(usage->cells, usage->cameras), needs_least_cells(limits));
+    const uint16_t cells = with_margin(most(usage, usage->cells), needs_least_cells(limits));
     limits->retained_cells = greater(limits->retained_cells, cells);
-    limits->gaps = greater(limits->gaps, with_margin(most(usage->gaps, usage->cameras), 1));
-    limits->active = greater(limits->active, with_margin(most(usage->active, usage->cameras), 1));
+    limits->gaps = greater(limits->gaps, with_margin(most(usage, usage->gaps), 1));
+    limits->active = greater(limits->active, with_margin(most(usage, usage->active), 1));
 }
 
 /* What is left between cells and gaps may be too small for any entry: so there is one more of each. */
@@ -247,7 +274,7 @@ static uint16_t beyond_idle(struct usage *usage, uint32_t all_b, uint32_t others
 {
     const struct lim_counted *counted = &usage->memory.counted;
     const uint32_t idle = counted->idle_b / counted->active_b;
-    const uint32_t crossing = most(usage->active, usage->cameras);
+    const uint32_t crossing = most(usage, usage->active);
     const uint32_t room = all_b > others_b ? (all_b - others_b) / counted->active_b : 0;
     const uint32_t beyond = crossing > idle ? crossing - idle : 0;
 
@@ -263,8 +290,8 @@ static void raise_shared(struct usage *usage, struct lim_limits *limits)
     const uint32_t sampled_b = most_shared_b(usage);
     const uint32_t searched_b = usage->searched.shared_b + one_of_each_b(counted);
     const uint32_t all_b = sampled_b > searched_b ? sampled_b : searched_b;
-    const uint16_t at_once = (uint16_t)(usage->memory.of_a_line ? most(usage->active, usage->cameras) + 1 : 0);
-    const uint16_t gaps = greater(most(usage->gaps, usage->cameras), at_once);
+    const uint16_t at_once = (uint16_t)(usage->memory.of_a_line ? most(usage, usage->active) + 1 : 0);
+    const uint16_t gaps = greater(most(usage, usage->gaps), at_once);
 
     limits->gaps = greater(limits->gaps, greater((uint16_t)(gaps + gaps / SHARED_MARGIN), 1));
     const uint32_t gaps_b = (usage->closes_none ? 1 : limits->gaps) * counted->gap_b;
@@ -284,9 +311,9 @@ static void raise_limits(struct compiled *roomy, struct moving *moving, struct u
         raise_one_by_one(usage, limits);
     limits->pieces = greater(limits->pieces, pieces_for(usage));
     if (roomy->report.delta_runs)
-        roomy->report.delta_runs = greater(roomy->report.delta_runs, with_margin(most(usage->runs, usage->cameras), 1));
+        roomy->report.delta_runs = greater(roomy->report.delta_runs, with_margin(most(usage, usage->runs), 1));
     if (roomy->scene.limits.layers)
-        limits->layers = greater(limits->layers, with_margin(most(usage->layers, usage->cameras), 1));
+        limits->layers = greater(limits->layers, with_margin(most(usage, usage->layers), 1));
     if (moving) usage->splits_max = usage->entries_max;
     if (moving && pieces_for(usage) < moving->limits.entries)
         moving->limits.entries = greater(pieces_for(usage), moving->limits.instances);
@@ -355,7 +382,7 @@ bool pools_scan_moving(struct compiled *scene, struct moving *moving, const stru
     struct lim_limits limits = scene->scene.limits;
     struct compiled roomy = roomy_of_moving(scene, moving);
     const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, LIM_SCANLINE, SIMULATOR_UNSEEN, core};
-    struct usage usage = {.instructions_most = instructions_most * CAMERAS};
+    struct usage usage = {.instructions_most = instructions_most * camera_count(scene)};
 
     moving->limits.entries = entries;
     if (!sample_method(&roomy, moving, &setup, STYLE_PLAIN, &usage, err)) return false;
@@ -379,7 +406,7 @@ static bool measure_mesh(struct compiled *scene, const struct core *core, struct
     struct usage usage = {0};
 
     if (!sample_method(&roomy, NULL, &setup, STYLE_PLAIN, &usage, err)) return false;
-    limits.active = greater(most(usage.active, usage.cameras), MCU_MESH_LEAST_ACTIVE); /* less costs little */
+    limits.active = greater(most(&usage, usage.active), MCU_MESH_LEAST_ACTIVE); /* less costs little */
     lim_image_set_limits(scene, &limits);
     if (usage.cameras && frame_cost_knows(setup.method))
         scene->report.instructions = usage.instructions / (double)usage.cameras;
@@ -418,7 +445,7 @@ bool pools_measure_scanline(struct compiled *scene, const struct core *core, dou
     struct compiled roomy = roomy_of(scene, scene->scene.polygon_count);
     const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, LIM_SCANLINE, SIMULATOR_UNSEEN, core};
 
-    struct usage usage = {.instructions_most = instructions_most * CAMERAS};
+    struct usage usage = {.instructions_most = instructions_most * camera_count(scene)};
 
     if (!sample_method(&roomy, NULL, &setup, STYLE_PLAIN, &usage, err)) return false;
     const double instructions = usage.instructions / (double)usage.cameras;

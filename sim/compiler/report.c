@@ -164,6 +164,8 @@ static void print_tree(const struct compiled *scene)
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
     if (is_predicted(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
+    if (report->path.count)
+        printf("  %-28s %8zu of %s: chosen for these\n", "cameras", report->path.count, report->path.name);
     if (is_predicted(report)) print_order(scene);
     print_mesh_choice(scene);
     print_worst(report);

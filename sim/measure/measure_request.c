@@ -43,7 +43,8 @@ enum option_code {
     OPTION_SEED,
     OPTION_TRIES,
     OPTION_SECONDS,
-    OPTION_WORST
+    OPTION_WORST,
+    OPTION_PATH
 };
 
 enum { COST_FRAMES = 4, FRAMES_MAX = 1000000 };
@@ -76,6 +77,7 @@ static const struct option OPTIONS[] = {
     {"seed", required_argument, NULL, OPTION_SEED},
     {"tries", required_argument, NULL, OPTION_TRIES},
     {"seconds", required_argument, NULL, OPTION_SECONDS},
+    {"path", required_argument, NULL, OPTION_PATH},
     {"worst", optional_argument, NULL, OPTION_WORST},
     {NULL, 0, NULL, 0},
 };
@@ -205,6 +207,8 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
     case 'o':
         out->folder = optarg;
         return *optarg || error_set(err, "-o: needs a %s", is_of_one(out->of) ? "name" : "folder");
+    case OPTION_PATH:
+        return compile_path_parse(optarg, &out->compile, err);
     case OPTION_WORST:
         return worst_tries_parse(optarg, &out->compile.worst_tries, err);
     case OPTION_SEED:
@@ -344,6 +348,11 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
         return error_set(err, "%s: --precision %s: no such profile", argv[0], out->variants[0]);
     fill_in(of, no_cost, out);
     return compile_options_settle(&out->compile, err);
+}
+
+void measure_request_free(struct measure_request *request)
+{
+    camera_path_free(&request->compile.path);
 }
 
 bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,

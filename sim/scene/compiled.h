@@ -31,6 +31,14 @@ struct tree_choice {
     size_t bsp_flash_b;
 };
 
+/* The cameras that it was made for; those of a file that whoever compiles it keeps as long. */
+struct viewpoint;
+struct path_report {
+    const char *name; /* the file's */
+    const struct viewpoint *frames;
+    size_t count; /* 0: sampled ones */
+};
+
 /* What drawing by scan lines was weighed against (order_choice.h). */
 struct order_choice {
     bool tried;
@@ -96,6 +104,7 @@ struct compile_report {
     bool convex;                  /* one convex solid */
     enum lim_method draws;        /* what firmware draws it with */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
+    struct path_report path;      /* method, tree and instructions are for these */
     size_t few_cameras;           /* that was done on so many cameras alone, as sorting takes long; 0: on all */
     const struct core *core;      /* the precision profile asked for */
     double near_m;                /* options.near_m */

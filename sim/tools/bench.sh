@@ -8,8 +8,9 @@
 #   sh sim/tools/bench.sh --rows CORES SCENE SIZE PATH     rows of these to standard output
 # SCENES, a list in the environment, has it count these scenes alone; --baseline keeps the rows of all others.
 # SIZE is 240x240, or 128x64-framebuffer: painted into all of the picture's pixels, instead of line by line.
-# PATH is `own`, the camera file that the scene comes with, or `random`, cameras on which nothing was tuned; both of 64
-# frames. Needs $BUILD/limner, $BUILD/scenes and $WARNINGS; progress goes to standard error.
+# PATH is `own`, the camera file that the scene comes with and is compiled for, or `random`, cameras on which nothing was
+# tuned and which the compiler does not know; both of 64 frames. Needs $BUILD/limner, $BUILD/scenes and $WARNINGS;
+# progress goes to standard error.
 set -eu
 . sim/targets/targets.sh
 . sim/tools/footprint.sh
@@ -102,6 +103,13 @@ cameras_of() { # SCENE PATH FOLDER
     echo "$3/own.cam"
 }
 
+# A scene is compiled for its own path, if that is what is counted.
+path_of() { # PATH CAMERAS
+    case $1 in
+    own) echo "--path $2" ;;
+    esac
+}
+
 # -- Rows: STAGE MEAN WORST becomes CORE,SCENE,SIZE,PATH,STAGE,MEAN,WORST --------------------------------------------
 
 rows_of() { # CORE SCENE SIZE PATH
@@ -124,25 +132,29 @@ measured_rows() { # FOLDER SCENE SIZE PATH
 
 # shellcheck disable=SC2046 # options are words
 emulated() { # CORES SCENE SIZE PATH FOLDER
-    "$BUILD/limner" measure "$(model_of "$2")" --camera "$(cameras_of "$2" "$4" "$5")" --size "$(pixels_of "$3")" \
+    cameras=$(cameras_of "$2" "$4" "$5")
+    "$BUILD/limner" measure "$(model_of "$2")" --camera "$cameras" $(path_of "$4" "$cameras") --size "$(pixels_of "$3")" \
         $(framebuffer_of "$3") $(options_of "$2") --precision fast --core "$1" -o "$5" >/dev/null
     measured_rows "$5" "$2" "$3" "$4"
 }
 
 # shellcheck disable=SC2046
 on_host() { # SCENE SIZE FOLDER
-    "$BUILD/limner" compile "$(model_of "$1")" --size "$(pixels_of "$2")" $(framebuffer_of "$2") -o "$3/model" >/dev/null
     for path in $paths; do
-        bench_host_count "$3" "$(cameras_of "$1" "$path" "$3")" "$(pixels_of "$2")" >"$3/counted"
+        cameras=$(cameras_of "$1" "$path" "$3")
+        "$BUILD/limner" compile "$(model_of "$1")" $(path_of "$path" "$cameras") --size "$(pixels_of "$2")" \
+            $(framebuffer_of "$2") -o "$3/model" >/dev/null
+        bench_host_count "$3" "$cameras" "$(pixels_of "$2")" >"$3/counted"
         rows_of host "$1" "$2" "$path" <"$3/counted"
     done
 }
 
-# Bytes at -Os; a line of the panel, or all of them, is the target's. Flash a face of the model, merged or not.
+# Bytes at -Os, compiled for its own path; a line of the panel, or all of them, is the target's. Flash a face of the
+# model, merged or not.
 # shellcheck disable=SC2046
 memory() { # SCENE SIZE FOLDER
-    "$BUILD/limner" compile "$(model_of "$1")" --size "$(pixels_of "$2")" $(framebuffer_of "$2") $(options_of "$1") \
-        -o "$3/model" >"$3/report"
+    "$BUILD/limner" compile "$(model_of "$1")" $(path_of own "$(cameras_of "$1" own "$3")") --size "$(pixels_of "$2")" \
+        $(framebuffer_of "$2") $(options_of "$1") -o "$3/model" >"$3/report"
     pixels=$(pixels_of "$2")
     faces=$(sed -n 's/^ *faces in the model *//p' "$3/report")
     data_b=$(footprint_data "$3")
