@@ -122,20 +122,29 @@ static const struct viewpoint *frame_of_path(const struct compiled *scene, int i
     return &path->frames[(size_t)i * path->count / (size_t)camera_count(scene)];
 }
 
-/* The i-th camera; false: there is none. Out-of-range ones (a scene of thousands of kilometres) are passed over. */
-static bool next_camera(struct sampler *sampler, int i, const struct lens *lens, struct lim_camera *out)
+/* The i-th sampled camera; false: there is none. Out-of-range ones (a scene of thousands of kilometres) are passed
+ * over.
+ */
+static bool sampled_camera(struct sampler *sampler, int i, const struct lens *lens, struct lim_camera *out)
 {
     struct viewpoint viewpoint;
     struct error ignored;
 
-    if (sampler->scene->report.path.count)
-        viewpoint = *frame_of_path(sampler->scene, i);
-    else if (i < SAMPLED)
+    if (i < SAMPLED)
         viewpoint = sampler_next(sampler);
     else if (!sampler_portrait(sampler, &viewpoint))
         return false;
     const struct camera_path path = {"sampled cameras", &viewpoint, 1};
     return camera_path_to_camera(&path, 0, lens, &sampler->scene->grid, out, &ignored);
+}
+
+/* The i-th of a path. */
+static bool own_camera(const struct compiled *scene, int i, const struct lens *lens, struct lim_camera *out,
+                       struct error *err)
+{
+    struct viewpoint viewpoint = *frame_of_path(scene, i);
+    const struct camera_path path = {scene->report.path.name, &viewpoint, 1};
+    return camera_path_to_camera(&path, 0, lens, &scene->grid, out, err);
 }
 
 /* What is found from few cameras may be too little, which costs time in frames, and pixels only of methods that sort.
@@ -174,7 +183,8 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
         if (is_sampled) i = after_enough(usage, moving, i);
         if (i == CAMERAS) break;
         progress_bar((size_t)i, (size_t)cameras, "%scameras", is_sampled ? "sampled " : "");
-        if (!next_camera(&sampler, i, &lens, &camera)) continue;
+        if (!is_sampled && !own_camera(scene, i, &lens, &camera, err)) return false;
+        if (is_sampled && !sampled_camera(&sampler, i, &lens, &camera)) continue;
         if (moving) moving_pose(moving, time_s_of(scene, moving, i));
         if (!simulator_frame(simulator, &camera, err)) return false;
         note(usage, simulator);

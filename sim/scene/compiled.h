@@ -34,7 +34,7 @@ struct tree_choice {
 /* The cameras that it was made for; those of a file that whoever compiles it keeps as long. */
 struct viewpoint;
 struct path_report {
-    const char *name; /* the file's */
+    char *name; /* the file's */
     const struct viewpoint *frames;
     size_t count; /* 0: sampled ones */
 };
