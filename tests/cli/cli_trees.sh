@@ -91,7 +91,8 @@ sets() {
     "$BUILD/limner" compile sim/scenes/knot.obj --tree none -o "$work/set" >"$work/report" &&
         grep -q "^RAM .*, by Newell's depth sort" "$work/report" && grep -q 'SCENE_METHOD LIM_NEWELL' "$work/set.h" &&
         "$BUILD/limner" render sim/scenes/knot.obj --tree none --size 80x60 --write-hashes "$work/hashes" &&
-        "$BUILD/limner" render "$work/set.lim" --method newell --size 80x60 --check "$work/hashes"
+        "$BUILD/limner" render "$work/set.lim" --method newell --size 80x60 --check "$work/hashes" &&
+        "$BUILD/limner" render "$work/set.lim" --size 80x60 --check "$work/hashes"
 }
 tap_check "a set is sorted, if nothing else is asked for" sets
 refuses() { # MESSAGE OPTION...
@@ -102,7 +103,7 @@ refuses() { # MESSAGE OPTION...
     grep -q "^limner: $message\$" "$work/out"
 }
 tap_check "a compiled set is not walked" refuses '.*set.lim: a set has no order; draw it with --method newell or depth' \
-    render "$work/set.lim" --size 80x60
+    render "$work/set.lim" --method nearest --size 80x60
 tap_check "nor is one to be made for that" refuses '--method painter --tree none: a set has no order; depth and newell draw it' \
     compile sim/scenes/knot.obj --tree none --method painter --report
 tap_check "two trees are one too many" refuses '--method bsp --tree clusters: that method has a tree of its own' \
