@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Input: a band in the middle of pass one. Output: the same, lower, as if it had never had the lines below. To find all
- * of a band again costs a walk; to give up an eighth of its lines costs what was found for these alone. Memory: none of
- * its own. Retained polygons come one after the other in their pool, so those that stay are moved up to one another in
- * that order, and linked into their lines as they were when they came. */
+ * of a band again costs a walk; to give up its lowest lines costs what was found for these alone. They are an eighth of
+ * the band or more, and an eighth of what is retained starts on them, or more: the pool is moved up each time, which is
+ * to pay. Memory: none of its own. Retained polygons come one after the other in their pool, so those that stay are
+ * moved up to one another in that order, and linked into their lines as they were when they came. */
 #include "orders/room.h"
 
 #include "lines/retain.h"
@@ -13,7 +14,7 @@
 
 #if LIM_HAS_SPANS
 
-enum { LEAST_LINES = 8, PART = 8 };
+enum { LEAST_LINES = 8, PART = 8, MOST_PART = 2 };
 enum { KEPT_PART = 6, LEAST_PARTS = 3 };
 
 /* Pieces and the flags of edges take cells of which their polygon does not say how many; samples close a line in
@@ -33,22 +34,6 @@ static void close_lines_from(struct lim_spans *spans, uint16_t bottom, uint16_t 
     spans->trimmed = true;
 }
 
-/* In the place of links, the lines that lists belong to. */
-static void note_lines(const struct lim_nearest *nearest)
-{
-    union lim_retained_cell *cells = nearest->retained.cells;
-
-    for (uint16_t y = nearest->top; y < nearest->bottom; y++) {
-        uint16_t polygon = nearest->spans.lines[y].retained;
-        while (polygon != LIM_NONE) {
-            const uint16_t next = cells[polygon].link.next;
-            cells[polygon].link.next = y;
-            polygon = next;
-        }
-        nearest->spans.lines[y].retained = LIM_NONE;
-    }
-}
-
 static uint16_t cells_of(const union lim_retained_cell *cells)
 {
     const bool transparent = LIM_HAS_TRANSPARENT && cells[1].look.bottom & LIM_RETAINED_TRANSPARENT;
@@ -56,38 +41,76 @@ static uint16_t cells_of(const union lim_retained_cell *cells)
     return (uint16_t)(LIM_RETAINED_HEAD_CELLS + cells[0].link.n + transparent);
 }
 
-static void keep_above(struct lim_nearest *nearest, uint16_t bottom)
+/* Takes a line's list apart: each polygon has `mark` in the place of its link. Returns the cells that they take. */
+static uint16_t unlink_line(struct lim_line *line, union lim_retained_cell *cells, uint16_t mark)
+{
+    uint16_t polygon = line->retained, count = 0;
+
+    while (polygon != LIM_NONE) {
+        const uint16_t next = cells[polygon].link.next;
+        cells[polygon].link.next = mark;
+        count = (uint16_t)(count + cells_of(&cells[polygon]));
+        polygon = next;
+    }
+    line->retained = LIM_NONE;
+    return count;
+}
+
+/* From the lowest line up, until enough is given up. Returns the first of them. */
+static uint16_t give_up(struct lim_nearest *nearest)
+{
+    struct lim_spans *spans = &nearest->spans;
+    const uint16_t height = (uint16_t)(nearest->bottom - nearest->top);
+    const uint16_t least = (uint16_t)(nearest->bottom - height / PART),
+                   most = (uint16_t)(nearest->bottom - height / MOST_PART);
+    const uint16_t enough = nearest->retained.used / PART;
+    uint16_t y = nearest->bottom, count = 0;
+
+    while (y > least || (y > most && count < enough)) {
+        y--;
+        count = (uint16_t)(count + unlink_line(&spans->lines[y], nearest->retained.cells, LIM_NONE));
+    }
+    return y;
+}
+
+/* In the place of links, the lines that lists belong to. */
+static void note_lines(const struct lim_nearest *nearest, uint16_t bottom)
+{
+    for (uint16_t y = nearest->top; y < bottom; y++)
+        (void)unlink_line(&nearest->spans.lines[y], nearest->retained.cells, y);
+}
+
+static void keep_above(struct lim_nearest *nearest)
 {
     struct lim_retained *retained = &nearest->retained;
-    union lim_retained_cell *cells = retained->cells;
-    uint16_t to = 0;
+    const union lim_retained_cell *from = retained->cells, *const end = from + retained->used;
+    union lim_retained_cell *to = retained->cells;
 
-    for (uint16_t from = 0; from < retained->used;) {
-        struct lim_line *line = &nearest->spans.lines[cells[from].link.next];
-        const bool stays = cells[from].link.next < bottom;
-        const uint16_t self = to, end = (uint16_t)(from + cells_of(&cells[from]));
-        if (!stays) {
-            from = end;
-            continue;
+    while (from < end) {
+        const union lim_retained_cell *const after = from + cells_of(from);
+        const uint16_t y = from[0].link.next;
+        if (y != LIM_NONE) {
+            struct lim_line *line = &nearest->spans.lines[y];
+            union lim_retained_cell *const self = to;
+            do
+                *to++ = *from++;
+            while (from < after);
+            self[0].link.next = line->retained;
+            line->retained = (uint16_t)(self - retained->cells);
         }
-        while (from < end)
-            cells[to++] = cells[from++];
-        cells[self].link.next = line->retained;
-        line->retained = self;
+        from = after;
     }
-    retained->used = to;
+    retained->used = (uint16_t)(to - retained->cells);
     lim_share_set_lowest(&nearest->spans);
 }
 
 bool lim_room_make(struct lim_nearest *nearest)
 {
-    struct lim_spans *spans = &nearest->spans;
-
     if (!can_shorten(nearest)) return false;
-    const uint16_t bottom = (uint16_t)(nearest->bottom - (nearest->bottom - nearest->top) / PART);
-    close_lines_from(spans, bottom, nearest->bottom);
-    note_lines(nearest);
-    keep_above(nearest, bottom);
+    const uint16_t bottom = give_up(nearest);
+    close_lines_from(&nearest->spans, bottom, nearest->bottom);
+    note_lines(nearest, bottom);
+    keep_above(nearest);
     nearest->bottom = bottom;
     nearest->since_shrink = LIM_POLYGONS_PER_SHRINK - 1;
     return true;

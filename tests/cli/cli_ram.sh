@@ -23,10 +23,10 @@ for scene in rooms teapot rooms-tilted hexecontahedron knot; do
     tap_check "$scene with 50 % of the pools" grows_gently $scene nearest 50 2 5
 done
 # By scan lines all that is in view waits, so that a shortage is a second walk at once.
-tap_check "teapot by scan lines with 70 % of the pools" grows_gently teapot scanline 70 1.4 3
-tap_check "teapot by scan lines with 50 % of the pools" grows_gently teapot scanline 50 2 5
-tap_check "knot by scan lines with 70 % of the pools" grows_gently knot scanline 70 1.5 3
-tap_check "knot by scan lines with 50 % of the pools" grows_gently knot scanline 50 2 5
+tap_check "teapot by scan lines with 70 % of the pools" grows_gently teapot scanline 70 1.35 2.5
+tap_check "teapot by scan lines with 50 % of the pools" grows_gently teapot scanline 50 1.8 3
+tap_check "knot by scan lines with 70 % of the pools" grows_gently knot scanline 70 1.3 3
+tap_check "knot by scan lines with 50 % of the pools" grows_gently knot scanline 50 1.5 3
 
 refuses() { ! "$limner" render sim/scenes/teapot.obj --frames 1 --stats --ram "$1" 2>"$work/error" && grep -q "$2" "$work/error"; }
 tap_check "too little is refused, with the least" refuses 1000 'too little memory; [0-9]* are the least'
