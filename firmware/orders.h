@@ -89,6 +89,7 @@ struct lim_newell_polygon {
     bool has_extent : 1; /* it is known */
     bool in_front : 1;   /* it reaches there, of the plane of the node that it is at */
     bool behind : 1;     /* likewise */
+    bool farthest : 1;   /* of the pieces that newell.c has made of a mover's polygon */
     uint16_t owner;      /* the mover that it belongs to, or LIM_NONE */
 };
 

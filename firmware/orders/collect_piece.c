@@ -120,12 +120,12 @@ static inline enum lim_span_result see_piece(struct lim_nearest *nearest, uint16
 {
     if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&nearest->pass->view)) {
         fill_rows(last, whole, &nearest->spans.open, *top, *bottom);
-        lim_trace_cut(lim_nearest_sorter(nearest), entry, last, (int16_t)(*top * LIM_SAMPLE_ROWS),
+        lim_trace_cut(lim_nearest_sorter(nearest), entry, whole, last, (int16_t)(*top * LIM_SAMPLE_ROWS),
                       (int16_t)(*bottom * LIM_SAMPLE_ROWS));
         return pass_rows(nearest, whole, last, *top, *bottom);
     }
     lim_trace_lines(last, whole, &nearest->spans.open, *top, *bottom);
-    lim_trace_cut(lim_nearest_sorter(nearest), entry, last, *top, *bottom);
+    lim_trace_cut(lim_nearest_sorter(nearest), entry, whole, last, *top, *bottom);
     trim(last, top, bottom);
     const uint8_t alpha = lim_wireframe_of(nearest->pass) ? (uint8_t)LIM_OPAQUE : lim_alpha_of(whole);
     return pass(nearest, alpha, last, *top, *bottom);

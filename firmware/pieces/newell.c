@@ -254,11 +254,24 @@ static bool resolve(struct lim_sorter *sorter, struct couple *couple)
     return split_couple(sorter, couple) || (in_circle && split_circle(sorter, couple->q));
 }
 
+/* Whether none of a polygon's other pieces has been painted: `painted` are all that have, nearest first. */
+static bool is_farthest(const struct lim_sorter *sorter, uint16_t entry, uint16_t painted)
+{
+    const uint16_t owner = lim_entry_owner(sorter, entry);
+    const lim_index record = sorter->list[entry].record;
+
+    for (; painted != LIM_NONE; painted = sorter->list[painted].next)
+        if (sorter->list[painted].record == record && lim_entry_owner(sorter, painted) == owner) return false;
+    return true;
+}
+
 /* The first entry of a list is painted next. */
 static uint16_t emit(struct lim_sorter *sorter, uint16_t *first, uint16_t nearest)
 {
     const uint16_t entry = *first;
 
+    if (LIM_HAS_MOVERS && lim_entry_is_cut(sorter, entry))
+        polygon_of(sorter, entry)->farthest = is_farthest(sorter, entry, nearest);
     *first = sorter->list[entry].next;
     sorter->list[entry].next = nearest;
     return entry;

@@ -9,6 +9,7 @@
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "screen/edge.h"
+#include "screen/polygon.h"
 #include "screen/samples.h"
 #include "view/plane_unpacked.h"
 #include "view/view.h"
@@ -264,14 +265,46 @@ void lim_trace_lines(struct lim_point *last, const struct lim_screen_polygon *wh
     }
 }
 
-void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, struct lim_point *last, int16_t top, int16_t bottom)
+/* A piece that is painted hides what lies behind it. */
+static bool hides_all(const struct lim_sorter *sorter, const struct lim_screen_polygon *whole)
+{
+    return (!LIM_HAS_TRANSPARENT || lim_alpha_of(whole) == LIM_OPAQUE) &&
+           !(LIM_HAS_WIREFRAME && lim_wireframe_of(sorter->pass));
+}
+
+/* Whether what of the whole lies on the other side of a cut is drawn nearer, all of it: so it hides what the piece
+ * paints there. A node's plane has what is on the eye's side drawn first. */
+static bool is_needless(const struct lim_sorter *sorter, uint16_t entry, const struct lim_cut *cut)
+{
+    const uint16_t by = cut->by & LIM_SORTED_MAX;
+
+    if (!LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target)) return false;
+    if (sorter->list[by].record != LIM_NO_INDEX) return sorter->newell->polygons[entry].farthest;
+    return !(cut->by & LIM_CUT_FRONT) == sorter->newell->polygons[by].eye_in_front;
+}
+
+bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole)
 {
     const struct lim_newell *newell = sorter->newell;
+    uint16_t cut = newell->polygons[entry].cuts;
+
+    if (!hides_all(sorter, whole)) return cut != LIM_NONE;
+    while (cut != LIM_NONE && is_needless(sorter, entry, &newell->cuts[cut]))
+        cut = newell->cuts[cut].next;
+    return cut != LIM_NONE;
+}
+
+void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
+                   struct lim_point *last, int16_t top, int16_t bottom)
+{
+    const struct lim_newell *newell = sorter->newell;
+    const bool hides = hides_all(sorter, whole);
 
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         struct lim_plane_unpacked plane;
         struct trace trace;
         struct crossing crossing;
+        if (hides && is_needless(sorter, entry, &newell->cuts[cut])) continue;
         lim_plane_load(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX);
         set_trace(&trace, sorter, entry, &plane);
         const bool front = newell->cuts[cut].by & LIM_CUT_FRONT;
@@ -293,7 +326,7 @@ struct lim_point lim_piece_line(const struct lim_sorter *sorter, uint16_t entry,
     struct lim_point line;
 
     lim_trace_lines(&line, whole, &screen, y, (int16_t)(y + 1));
-    lim_trace_cut(sorter, entry, &line, y, (int16_t)(y + 1));
+    lim_trace_cut(sorter, entry, whole, &line, y, (int16_t)(y + 1));
     return line;
 }
 

@@ -13,9 +13,12 @@
 void lim_trace_lines(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
                      int16_t top, int16_t bottom);
 
-/* Leaves of lines, or of rows, what is the piece's. */
-void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, struct lim_point *last, int16_t top,
-                   int16_t bottom);
+/* Whether a piece has to be told from its whole: not if all other parts are drawn nearer, and hide theirs. */
+bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole);
+
+/* Leaves of lines, or of rows, what is the piece's, or is hidden by other parts. */
+void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
+                   struct lim_point *last, int16_t top, int16_t bottom);
 
 /* Both for one line of the screen. */
 struct lim_point lim_piece_line(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,

@@ -13,6 +13,7 @@
 #include "pieces/newell.h"
 #include "pieces/piece.h"
 #include "pieces/sorter.h"
+#include "pieces/trace.h"
 #include "routes/mover_list.h"
 #include "routes/route.h"
 #include "screen/project.h"
@@ -309,26 +310,24 @@ static int draw_whole(struct lim_sorter *sorter, uint16_t mover, const struct li
 static int draw_still(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw,
                       void *ctx)
 {
-    const bool is_cut = lim_entry_is_cut(sorter, entry);
     struct lim_screen_polygon polygon;
 
     if (!lim_project(&polygon, &sorter->pass->view, sorter->pass->scene, lim_entry_record(sorter, entry), open,
                      lim_stats_of(sorter->pass)))
         return 0;
-    return draw(ctx, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
+    return draw(ctx, lim_trace_is_needed(sorter, entry, &polygon) ? entry : (uint16_t)LIM_NONE, &polygon, open);
 }
 
 static int draw_entry(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw,
                       void *ctx)
 {
     if (lim_entry_owner(sorter, entry) == LIM_NONE) return draw_still(sorter, entry, open, draw, ctx);
-    const bool is_cut = lim_entry_is_cut(sorter, entry);
     const struct face face = {lim_entry_record(sorter, entry), lim_plane_of(sorter, entry),
                               lim_entry_owner(sorter, entry), sorter->newell->polygons[entry].eye_in_front};
     struct lim_screen_polygon polygon;
 
     if (!mover_order_project(sorter, &polygon, &face, open)) return 0;
-    return draw(ctx, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
+    return draw(ctx, lim_trace_is_needed(sorter, entry, &polygon) ? entry : (uint16_t)LIM_NONE, &polygon, open);
 }
 
 int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_rect *open, bool back_to_front,

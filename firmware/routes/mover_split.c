@@ -332,6 +332,7 @@ static uint16_t mover_split_split(struct lim_sorter *sorter, struct divider *div
 {
     if (divider->entry == LIM_NONE) divider->entry = lim_entry_new(sorter, LIM_NO_INDEX, LIM_NONE, divider->node);
     if (divider->entry == LIM_NONE) return LIM_NONE;
+    sorter->newell->polygons[divider->entry].eye_in_front = near_side(divider) == LIM_SIDE_FRONT;
     const uint16_t other = lim_piece_split(sorter, entry, divider->entry);
     if (other == LIM_NONE) return LIM_NONE;
     lim_movers_note_entries(sorter);

@@ -33,7 +33,8 @@ enum { MOST_RETAINED = PLENTY / MCU_HEAD_CELLS };
 
 /* Memory that polygons, gaps and what crosses a line share is made larger than the greediest camera but strays wants,
  * by as much as it wants more than the greediest FEW_GREEDY-th part of them, and a 32nd at least: where few cameras are
- * far beyond the others, more may be. A frame that wants more loses its lowest lines to a second walk. */
+ * far beyond the others, more may be. Where objects move it is 3/8 at least: few of their poses are seen. A frame that
+ * wants more loses its lowest lines to a second walk. */
 enum { SHARED_UNIT_B = 4, SHARED_MARGIN = 32, FEW_GREEDY = 50 };
 
 /* What each camera used of each pool. */
@@ -243,12 +244,12 @@ static uint16_t greater(uint16_t a, uint16_t b)
     return a > b ? a : b;
 }
 
-static uint32_t most_shared_b(struct usage *usage)
+static uint32_t most_shared_b(struct usage *usage, bool moves)
 {
     const uint32_t greatest = most(usage, usage->shared);
     const size_t few = usage->cameras / FEW_GREEDY + usage->strays;
     const uint32_t spread = few < usage->cameras ? greatest - usage->shared[usage->cameras - 1 - few] : 0;
-    const uint32_t least = greatest / SHARED_MARGIN + 1;
+    const uint32_t least = (moves ? greatest * 3 / 8 : greatest / SHARED_MARGIN) + 1;
 
     return (greatest + (spread > least ? spread : least)) * SHARED_UNIT_B;
 }
@@ -294,10 +295,10 @@ static uint16_t beyond_idle(struct usage *usage, uint32_t all_b, uint32_t others
 /* Of the memory that they share the limits say how much it is in all, in an MCU's bytes. Pictures that are filled as
  * polygons come take gaps alone, and antialiased lines that are painted at once as many as polygons cross them: so
  * those have their number. So has what crosses a line, which is larger in a program of 64 bits. All else is cells. */
-static void raise_shared(struct usage *usage, struct lim_limits *limits)
+static void raise_shared(struct usage *usage, bool moves, struct lim_limits *limits)
 {
     const struct lim_counted *counted = &usage->memory.counted;
-    const uint32_t sampled_b = most_shared_b(usage);
+    const uint32_t sampled_b = most_shared_b(usage, moves);
     const uint32_t searched_b = usage->searched.shared_b + one_of_each_b(counted);
     const uint32_t all_b = sampled_b > searched_b ? sampled_b : searched_b;
     const uint16_t at_once = (uint16_t)(usage->memory.of_a_line ? most(usage, usage->active) + 1 : 0);
@@ -316,7 +317,7 @@ static void raise_shared(struct usage *usage, struct lim_limits *limits)
 static void raise_limits(struct compiled *roomy, struct moving *moving, struct usage *usage, struct lim_limits *limits)
 {
     if (usage->memory.counted.cell_b)
-        raise_shared(usage, limits);
+        raise_shared(usage, moving, limits);
     else
         raise_one_by_one(usage, limits);
     limits->pieces = greater(limits->pieces, pieces_for(usage));
