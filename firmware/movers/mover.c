@@ -274,6 +274,33 @@ static int32_t half_along(const struct lim_instance *instance, const uint16_t ha
            (LIM_HAS_FRACTIONS ? (int32_t)LIM_CORNER_ONE_Q12 >> instance->finer_bits : 0);
 }
 
+/* sqrt(x), rounded up, or one more; x < 2^30. */
+static uint32_t root_above(uint32_t x)
+{
+    uint32_t root = 0;
+
+    for (uint32_t bit = UINT32_C(1) << 14; bit; bit >>= 1)
+        if ((root + bit) * (root + bit) <= x) root += bit;
+    return root + 1;
+}
+
+/* Of the ball around a point that holds all vertices, none of which is farther along an axis than `most`. */
+static uint32_t reach_of_vertices(const struct lim_scene *object, const int32_t centre[3], uint32_t most)
+{
+    const uint8_t zeros = clz_u32(most | 1),
+                  shift = (uint8_t)(zeros < 18 ? 18 - zeros : 0); /* to 14 bits: squares below 2^30 */
+    const uint32_t up = (UINT32_C(1) << shift) - 1;
+    uint32_t square = 0;
+
+    for (lim_index k = 0; k < object->vertex_count; k++) {
+        const struct lim_vertex at = object->vertices[k];
+        const uint32_t x = (abs_s32(at.x - centre[0]) + up) >> shift, y = (abs_s32(at.y - centre[1]) + up) >> shift;
+        const uint32_t z = (abs_s32(at.z - centre[2]) + up) >> shift, sum = x * x + y * y + z * z;
+        if (sum > square) square = sum;
+    }
+    return (root_above(square) << shift) + (LIM_HAS_FRACTIONS ? 2 : 0);
+}
+
 /* As in rows.c, a length is at most that of its longest component and 107/256 of the others. */
 static void set_ball(struct lim_mover *mover, const struct lim_instance *instance)
 {
@@ -291,8 +318,12 @@ static void set_ball(struct lim_mover *mover, const struct lim_instance *instanc
         mover->own_half_q12[i] = (int32_t)(((uint32_t)box.half[i] << 12 >> instance->finer_bits) + LIM_CORNER_ONE_Q12);
         mover->half_q12[i] = half_along(instance, box.half, i);
     }
-    const uint32_t radius = longest + (sum - longest) * 107 / 256 + 1; /* below 2^16 */
+    const uint32_t to_corners = longest + (sum - longest) * 107 / 256 + 1; /* below 2^16 */
+    const uint32_t to_vertices = reach_of_vertices(instance->object, centre, longest + 1);
+    const uint32_t radius = to_vertices < to_corners ? to_vertices : to_corners;
     mover->radius_q12 = (int32_t)((radius << 12 >> instance->finer_bits) + LIM_CORNER_ONE_Q12);
+    for (uint_fast8_t i = 0; i < 3; i++)
+        if (mover->half_q12[i] > mover->radius_q12) mover->half_q12[i] = mover->radius_q12;
 }
 
 static bool is_within(const struct lim_mover *mover)

@@ -265,11 +265,10 @@ void lim_trace_lines(struct lim_point *last, const struct lim_screen_polygon *wh
     }
 }
 
-/* A piece that is painted hides what lies behind it. */
-static bool hides_all(const struct lim_sorter *sorter, const struct lim_screen_polygon *whole)
+/* Whether all that is painted hides what lies behind it. */
+static bool hides_all(const struct lim_screen_polygon *whole)
 {
-    return (!LIM_HAS_TRANSPARENT || lim_alpha_of(whole) == LIM_OPAQUE) &&
-           !(LIM_HAS_WIREFRAME && lim_wireframe_of(sorter->pass));
+    return !LIM_HAS_TRANSPARENT || lim_alpha_of(whole) == LIM_OPAQUE;
 }
 
 /* Whether what of the whole lies on the other side of a cut is drawn nearer, all of it: so it hides what the piece
@@ -288,7 +287,7 @@ bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const 
     const struct lim_newell *newell = sorter->newell;
     uint16_t cut = newell->polygons[entry].cuts;
 
-    if (!hides_all(sorter, whole)) return cut != LIM_NONE;
+    if (!hides_all(whole)) return cut != LIM_NONE;
     while (cut != LIM_NONE && is_needless(sorter, entry, &newell->cuts[cut]))
         cut = newell->cuts[cut].next;
     return cut != LIM_NONE;
@@ -298,7 +297,7 @@ void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, const struct
                    struct lim_point *last, int16_t top, int16_t bottom)
 {
     const struct lim_newell *newell = sorter->newell;
-    const bool hides = hides_all(sorter, whole);
+    const bool hides = hides_all(whole);
 
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         struct lim_plane_unpacked plane;

@@ -423,13 +423,15 @@ static void balls_are_about_the_corners(void **state)
     }
 }
 
-/* Around the box that an object knows, whatever its shape: no less than half its diagonal, and no more than the longest
- * half and 107/256 of the others, rounded up to a unit of the object; and a unit of the scene for the centre. */
+/* Around the box that an object knows, whatever its shape, if there are vertices at its corners: no less than half its
+ * diagonal, and no more than the longest half and 107/256 of the others, rounded up to a unit of the object; and a unit
+ * of the scene for the centre. Around vertices that do not reach there, no more than the farthest. */
 static void balls_hold_boxes_of_any_shape(void **state)
 {
     static const int16_t at[3] = {0, 0, 0};
     static struct stage stage;
     static struct lim_box box;
+    static struct lim_vertex corners[8];
     const struct lim_camera camera = set_camera(false);
     struct random random = {606};
 
@@ -438,6 +440,8 @@ static void balls_hold_boxes_of_any_shape(void **state)
     stage.object.scene.boxes = &box;
     stage.object.scene.box_count = 1;
     stage.object.leaf.box = 0;
+    stage.object.scene.vertices = corners;
+    stage.object.scene.vertex_count = 8;
     for (int round = 0; round < ROUNDS; round++) {
         const uint16_t most = (uint16_t)(random_in(&random, 1, 1 << random_in(&random, 3, 15)) - 1);
         double squares = 0, sum = 0;
@@ -448,13 +452,24 @@ static void balls_hold_boxes_of_any_shape(void **state)
             sum += box.half[i];
         }
         const double longest = fmax(box.half[0], fmax(box.half[1], box.half[2]));
+        const int16_t part = (int16_t)random_in(&random, 0, 3); /* of the way to the corners, in quarters; 0: all */
+        for (int k = 0; k < 8; k++) {
+            const int16_t by = part ? part : 4;
+            const int32_t x = box.half[0] * by / 4, y = box.half[1] * by / 4, z = box.half[2] * by / 4;
+            corners[k] =
+                (struct lim_vertex){(int16_t)(k & 1 ? x : -x), (int16_t)(k & 2 ? y : -y), (int16_t)(k & 4 ? z : -z)};
+        }
+        const double farthest = sqrt((double)corners[0].x * corners[0].x + (double)corners[0].y * corners[0].y +
+                                     (double)corners[0].z * corners[0].z);
         place_anyhow(&stage.instance, &random);
         for (int i = 0; i < 3; i++)
             stage.instance.at_q8[i] /= 16; /* all is within the world */
         assert_true(pose(&stage, &camera));
         const double radius = stage.lim.movers->movers[0].radius_q12 / 4096.0;
         const double scale = ldexp(1, -stage.instance.finer_bits);
-        assert_true(radius >= sqrt(squares) * scale + 1 - 1.0 / 4096);
+        if (!part) assert_true(radius >= sqrt(squares) * scale + 1 - 1.0 / 4096);
+        assert_true(radius >= farthest * scale + 1 - 1.0 / 4096);
+        assert_true(radius <= farthest * (1 + 4.0 / 16384) * scale + 6 * scale + 1);
         assert_true(radius <= (longest + (sum - longest) * 107 / 256 + 1) * scale + 1);
     }
     stage_close(&stage);

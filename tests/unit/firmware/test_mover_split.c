@@ -119,6 +119,19 @@ static void any_plane(struct stage *stage, struct random *random)
     set_plane(stage, n, (int64_t)far);
 }
 
+/* Vertices at all corners of the object's box, behind those of its polygon: a ball holds no more than these. */
+static void fill_box(struct stage *stage)
+{
+    struct set *object = &stage->object;
+
+    for (int k = 0; k < 8; k++) {
+        const int32_t x = stage->box.half[0], y = stage->box.half[1], z = stage->box.half[2];
+        object->vertices[3 + k] =
+            (struct lim_vertex){(int16_t)(k & 1 ? x : -x), (int16_t)(k & 2 ? y : -y), (int16_t)(k & 4 ? z : -z)};
+    }
+    object->scene.vertex_count = 11;
+}
+
 /* Anywhere, turned anyhow; looked at from the origin. */
 static void place_anyhow(struct stage *stage, struct random *random)
 {
@@ -132,6 +145,7 @@ static void place_anyhow(struct stage *stage, struct random *random)
         stage->instance.at_q8[i] = (int32_t)random_in(random, -(1 << 20), 1 << 20);
     movers->instances = &stage->instance;
     movers->given = movers->count = 1;
+    fill_box(stage);
     lim_movers_pose(stage->lim.movers, &stage->lim.pass, &camera);
     assert_true(movers->movers[0].radius_q12 >= 0);
 }
@@ -153,6 +167,7 @@ static void place_at(struct stage *stage, const double eye[3], struct random *ra
         stage->instance.at_q8[i] = (int32_t)random_in(random, -3000 * 256, 3000 * 256);
     movers->instances = &stage->instance;
     movers->given = movers->count = 1;
+    fill_box(stage);
     lim_movers_pose(movers, &stage->lim.pass, &camera);
     assert_true(movers->movers[0].radius_q12 >= 0);
 }
