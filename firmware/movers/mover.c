@@ -20,14 +20,6 @@
 #define AT_END_Q8 (INT32_C(1) << 24)
 enum { FINER_BITS_MAX = 3 };
 
-/* The sum of v[i] axes[j][i] over i, along the object's axis j. */
-static int64_t along_axis(const struct lim_instance *instance, uint_fast8_t j, const int32_t v[3])
-{
-    const int32_t *axis_q30 = &instance->axes_q30[3 * j];
-
-    return (int64_t)axis_q30[0] * v[0] + (int64_t)axis_q30[1] * v[1] + (int64_t)axis_q30[2] * v[2];
-}
-
 #if LIM_LONG_MULTIPLY || LIM_HAS_FRACTIONS
 /* A point of the object, `bits` fraction bits to its own unit. |v| < 2^16 units, so sums stay below 2^28 once they are
  * in Q12. */
@@ -138,93 +130,6 @@ int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3]
     for (uint_fast8_t i = 0; i < 3; i++)
         sum_q40 += movers->ahead_q28[i] * ((int64_t)at_q12[i] - (int64_t)movers->eye_q8[i] * 16);
     return (int32_t)(sum_q40 >> 31);
-}
-
-/* What bounds a mover: as a point, if it enters by its centre. */
-static int32_t radius_of(const struct lim_movers *movers, uint16_t mover)
-{
-    return movers->instances[mover].by_centre ? 0 : movers->movers[mover].radius_q12;
-}
-
-/* Nearer by all of its ball. */
-static bool is_nearer(const struct lim_movers *movers, uint16_t a, uint16_t b)
-{
-    const int32_t far = lim_mover_depth(movers, movers->movers[a].centre_q12) + (radius_of(movers, a) >> 3);
-    const int32_t near = lim_mover_depth(movers, movers->movers[b].centre_q12) - (radius_of(movers, b) >> 3);
-
-    return far <= near;
-}
-
-/* Whether a plane along two of the scene's axes has all of `b` on the side where the eye is not, and all of `a` on the
- * eye's. */
-static bool is_before_along_axis(const struct lim_movers *movers, const struct lim_mover *a, const struct lim_mover *b)
-{
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        const int32_t away_q12 = b->centre_q12[i] - a->centre_q12[i];
-        if ((int32_t)abs_s32(away_q12) < a->half_q12[i] + b->half_q12[i]) continue;
-        const int32_t end_q8 = (b->centre_q12[i] + (away_q12 > 0 ? -b->half_q12[i] : b->half_q12[i])) >> 4;
-        if (away_q12 > 0 ? movers->eye_q8[i] <= end_q8 : movers->eye_q8[i] > end_q8) return true;
-    }
-    return false;
-}
-
-/* The same of a plane that stands upright on the way from the one's centre to the other's, between their balls. */
-static bool is_before_along_way(const struct lim_movers *movers, const struct lim_mover *a, const struct lim_mover *b)
-{
-    int64_t square_q8 = 0, eye_q8 = 0;
-    uint32_t longest = 0, sum = 0;
-
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        const int32_t way = (b->centre_q12[i] - a->centre_q12[i]) >> 12;
-        square_q8 += (int64_t)way * way * 256;
-        eye_q8 += (int64_t)way * (movers->eye_q8[i] - (a->centre_q12[i] >> 4));
-        sum += abs_s32(way);
-        if (abs_s32(way) > longest) longest = abs_s32(way);
-    }
-    const int64_t length = longest + (sum - longest) * 107 / 256 + 1;
-    const int64_t a_q8 = length * ((a->radius_q12 >> 4) + 512), b_q8 = length * ((b->radius_q12 >> 4) + 512);
-    return a_q8 + b_q8 <= square_q8 && eye_q8 <= square_q8 - b_q8;
-}
-
-/* How far along one of the object's own axes a point is from its centre, as the static scene counts. */
-static int32_t along_own_axis_q8(const struct lim_instance *instance, const struct lim_mover *mover, uint_fast8_t j,
-                                 const int32_t at_q8[3])
-{
-    int32_t away_q8[3];
-
-    for (uint_fast8_t i = 0; i < 3; i++)
-        away_q8[i] = at_q8[i] - (mover->centre_q12[i] >> 4);
-    return (int32_t)(along_axis(instance, j, away_q8) >> 30);
-}
-
-/* Whether a plane along two of a mover's own axes parts it from the ball of another one, and the eye is on the mover's
- * side, or on the ball's. Two units are for all that is rounded. */
-static bool is_parted(const struct lim_movers *movers, uint16_t of, uint16_t ball, bool eye_beside_it)
-{
-    const struct lim_instance *instance = &movers->instances[of];
-    const struct lim_mover *mover = &movers->movers[of], *other = &movers->movers[ball];
-    const int32_t ball_q8[3] = {other->centre_q12[0] >> 4, other->centre_q12[1] >> 4, other->centre_q12[2] >> 4};
-
-    for (uint_fast8_t j = 0; j < 3; j++) {
-        const int32_t at_q8 = along_own_axis_q8(instance, mover, j, ball_q8);
-        const int32_t end_q8 = (int32_t)abs_s32(at_q8) - (other->radius_q12 >> 4) - 512;
-        const int32_t half_q8 = mover->own_half_q12[j] >> 4;
-        if (end_q8 < half_q8) continue;
-        const int32_t eye_q8 = along_own_axis_q8(instance, mover, j, movers->eye_q8);
-        const int32_t to_eye_q8 = at_q8 < 0 ? -eye_q8 : eye_q8;
-        if (eye_beside_it ? to_eye_q8 <= end_q8 : to_eye_q8 >= half_q8) return true;
-    }
-    return false;
-}
-
-bool lim_mover_precedes(const struct lim_movers *movers, uint16_t a, uint16_t b)
-{
-    const struct lim_mover *first = &movers->movers[a], *second = &movers->movers[b];
-
-    return is_nearer(movers, a, b) ||
-           (!movers->instances[a].by_centre && !movers->instances[b].by_centre &&
-            (is_before_along_axis(movers, first, second) || is_before_along_way(movers, first, second) ||
-             is_parted(movers, a, b, true) || is_parted(movers, b, a, false)));
 }
 
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
@@ -354,11 +259,12 @@ static bool turn_camera(struct lim_camera *own, const struct lim_camera *camera,
     for (uint_fast8_t i = 0; i < 3; i++)
         away_q8[i] = camera->eye_q8[i] - instance->at_q8[i];
     for (uint_fast8_t j = 0; j < 3; j++) {
-        const int64_t eye_q8 = shift_round_s64(along_axis(instance, j, away_q8), (uint8_t)(30 - instance->finer_bits));
+        const int64_t eye_q8 =
+            shift_round_s64(lim_along_axis(instance, j, away_q8), (uint8_t)(30 - instance->finer_bits));
         if (eye_q8 >= LIM_EYE_MAX_Q8 || eye_q8 <= -LIM_EYE_MAX_Q8) return false;
         own->eye_q8[j] = (int32_t)eye_q8;
         for (uint_fast8_t i = 0; i < 3; i++)
-            own_axes_q30[3 * i + j] = (int32_t)shift_round_s64(along_axis(instance, j, &axes_q30[3 * i]), 30);
+            own_axes_q30[3 * i + j] = (int32_t)shift_round_s64(lim_along_axis(instance, j, &axes_q30[3 * i]), 30);
     }
     const int32_t near_end_q8 = LIM_NEAR_MAX_Q8 >> instance->finer_bits;
     own->near_q8 = camera->near_q8 < near_end_q8 ? camera->near_q8 << instance->finer_bits : LIM_NEAR_MAX_Q8;
@@ -370,7 +276,7 @@ static void turn_light(struct lim_mover *mover, const struct lim_instance *insta
     const int32_t to_q14[3] = {light->to_q14[0], light->to_q14[1], light->to_q14[2]};
 
     for (uint_fast8_t k = 0; k < 3; k++)
-        mover->to_q14[k] = (int16_t)shift_round_s64(along_axis(instance, k, to_q14), 30);
+        mover->to_q14[k] = (int16_t)shift_round_s64(lim_along_axis(instance, k, to_q14), 30);
 }
 
 static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_t i, const struct lim_camera *camera,

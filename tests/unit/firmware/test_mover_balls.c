@@ -65,7 +65,7 @@ static void check_ball(const struct lim_mover *mover, const struct lim_instance 
                               mover->centre_q12[2] / 4096.0};
     const double longest = fmax(extent->half[0], fmax(extent->half[1], extent->half[2]));
     const double others = extent->half[0] + extent->half[1] + extent->half[2] - longest;
-    double middle[3];
+    double middle[3], farthest = 0;
 
     place(instance, extent->middle, middle);
     assert_true(distance(centre, middle) <= 0.87 * unit + 0.001);
@@ -73,7 +73,10 @@ static void check_ball(const struct lim_mover *mover, const struct lim_instance 
         double at[3];
         place(instance, extent->corners[k], at);
         assert_true(distance(at, centre) <= radius);
+        farthest = fmax(farthest, distance(at, centre));
     }
+    /* A root is rounded up, by 2 at most, as is each way along an axis, to 14 bits. */
+    assert_true(radius <= farthest * (1 + ldexp(2, -13)) + 5 * unit + 1.001);
     /* Halves are rounded up, by 3/2 at most; the ball by 1, and once more by a unit of the scene. */
     const double most = longest + 1.5 + (others + 3) * 107 / 256 + 1;
     assert_true(radius <= most * unit + 1.001);

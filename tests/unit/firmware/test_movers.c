@@ -406,7 +406,7 @@ static void without_room_they_go_by_their_centres(void **state)
     mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
     assert_int_equal(forced_with(&rig, rig.moving.limits.entries, &wrong), 0);
     assert_true(wrong < 10);
-    for (uint16_t entries = 3; entries < 40; entries++)
+    for (uint16_t entries = 3; entries < 36; entries++)
         assert_true(forced_with(&rig, entries, &wrong) > 0);
     assert_true(wrong < MOVER_RIG_W_PX * MOVER_RIG_H_PX / 4);
     mover_rig_free(&rig);
