@@ -279,6 +279,16 @@ static void turn_light(struct lim_mover *mover, const struct lim_instance *insta
         mover->to_q14[k] = (int16_t)shift_round_s64(lim_along_axis(instance, k, to_q14), 30);
 }
 
+/* All but the rows. */
+static void set_view(struct lim_view *to, const struct lim_view *from, struct lim_view_cached *cache)
+{
+    to->width = from->width;
+    to->height = from->height;
+    to->cache = cache;
+    to->vertices = 0;
+    if (LIM_HAS_ANTIALIAS) lim_view_set_antialiased(to, lim_is_antialiased(from));
+}
+
 static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_t i, const struct lim_camera *camera,
                  const int32_t axes_q30[9])
 {
@@ -289,9 +299,7 @@ static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_
 
     mover->radius_q12 = -1;
     if (!is_usable(movers, instance) || !turn_camera(&own, camera, instance, axes_q30, own_axes_q30)) return false;
-    mover->view = *view;
-    mover->view.cache = movers->cache;
-    mover->view.vertices = 0;
+    set_view(&mover->view, view, movers->cache);
     if (!lim_rows_set_turned(&mover->view.rows, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30))
         return false;
     lim_eye_set(&mover->eye, instance->object, own.eye_q8);
@@ -318,7 +326,7 @@ static bool set_world(struct lim_movers *movers, const struct lim_view *view, co
     for (uint_fast8_t i = 0; i < 3; i++)
         half.eye_q8[i] >>= 1;
     half.near_q8 = camera->near_q8 > 1 ? camera->near_q8 >> 1 : 1;
-    movers->world = *view;
+    set_view(&movers->world, view, view->cache);
     return lim_rows_set_turned(&movers->world.rows, NULL, &half, axes_q30);
 }
 

@@ -61,7 +61,9 @@ static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uin
     int32_t before[3] = {0, 0, 0}, here[3];
     int64_t value_before = 0;
 
-    *chord = (struct chord){.far_value = 0};
+    chord->far_value = 0;
+    for (uint_fast8_t i = 0; i < 3; i++) /* an initialiser would be a call of memset() */
+        chord->out[i] = chord->back[i] = chord->far[i] = 0;
     for (uint_fast8_t k = 0; k <= n; k++) {
         const lim_index vertex = corners[k < n ? k : 0];
         struct lim_view_point point;
@@ -231,22 +233,50 @@ static bool set_crossing(struct crossing *crossing, const struct trace *trace)
            quotient_q20(trace->down, trace->step, recip_q31, step_shift, &crossing->slope_q20);
 }
 
+static void keep_below(struct lim_point *line, int64_t x)
+{
+    if (x < line->y) line->y = x > line->x ? (lim_sub)x : line->x;
+}
+
+static void keep_from(struct lim_point *line, int64_t x)
+{
+    if (x > line->x) line->x = x < line->y ? (lim_sub)x : line->y;
+}
+
+/* A crossing that is too far to the side, on one of the lines at least, for 32 bits. */
+static LIM_RARE void narrow_far(struct lim_point *line, uint_fast16_t n, int64_t x_q20, int64_t slope_q20, bool low)
+{
+    for (; n; n--, line--, x_q20 += slope_q20)
+        (low ? keep_below : keep_from)(line, x_q20 >> 20);
+}
+
+static bool is_s32(int64_t x)
+{
+    return x == (int32_t)x;
+}
+
 /* Cuts all lines. What is as good as on the plane is in front. */
 static void narrow_all(struct lim_point *last, const struct crossing *crossing, int16_t top, int16_t bottom, bool front)
 {
     const int32_t slack_q20 =
         crossing->front_is_low ? CROSSING_ONE_Q20 + CROSSING_SLACK_Q20 : CROSSING_ONE_Q20 - 1 - CROSSING_SLACK_Q20;
-    int64_t x_q20 = crossing->x_q20 + crossing->slope_q20 * top + slack_q20;
+    const int64_t x_q20 = crossing->x_q20 + crossing->slope_q20 * top + slack_q20;
+    uint_fast16_t n = (uint_fast16_t)(bottom - top);
+    const bool low = front == crossing->front_is_low;
+    struct lim_point *line = &last[n - 1];
+    uint32_t at_q20 = (uint32_t)x_q20; /* the step below the last line may wrap */
 
-    for (int16_t y = top; y < bottom; y++, x_q20 += crossing->slope_q20) {
-        struct lim_point *line = &last[bottom - 1 - y];
-        const int64_t at = x_q20 >> 20;
-        if (front == crossing->front_is_low) {
-            if (at < line->y) line->y = at > line->x ? (lim_sub)at : line->x;
-        } else {
-            if (at > line->x) line->x = at < line->y ? (lim_sub)at : line->y;
-        }
+    if (!is_s32(x_q20) || !is_s32(x_q20 + crossing->slope_q20 * (bottom - 1 - top))) {
+        narrow_far(line, n, x_q20, crossing->slope_q20, low);
+        return;
     }
+    const uint32_t slope_q20 = (uint32_t)crossing->slope_q20;
+    if (low)
+        for (; n; n--, line--, at_q20 += slope_q20)
+            keep_below(line, (int32_t)at_q20 >> 20);
+    else
+        for (; n; n--, line--, at_q20 += slope_q20)
+            keep_from(line, (int32_t)at_q20 >> 20);
 }
 
 /* The part of the screen that is drawn: no line leaves it. */
@@ -254,14 +284,14 @@ void lim_trace_lines(struct lim_point *last, const struct lim_screen_polygon *wh
                      int16_t top, int16_t bottom)
 {
     struct lim_edge_pair pair;
+    int16_t y = top, turn = lim_edge_start(&pair, whole->at, whole->n, whole->shape.first, top);
 
-    lim_edge_begin(&pair, whole->n, whole->shape.first);
-    for (int16_t y = top; y < bottom; y++) {
-        lim_edge_advance(&pair, whole->at, whole->n, y);
-        struct lim_point *line = &last[bottom - 1 - y];
-        const int16_t left = lim_edge_x(&pair.left), right = lim_edge_x(&pair.right);
+    for (struct lim_point *line = &last[bottom - 1 - top];; line--) {
+        const int16_t left = lim_edge_next_x(&pair.left), right = lim_edge_next_x(&pair.right);
         line->x = left > (int16_t)open->x0 ? left : (int16_t)open->x0;
         line->y = right < (int16_t)open->x1 ? right : (int16_t)open->x1;
+        if (++y == bottom) return;
+        if (y == turn) turn = lim_edge_turn(&pair, whole->at, whole->n, y);
     }
 }
 

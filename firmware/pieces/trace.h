@@ -8,8 +8,8 @@
 
 #include "orders.h"
 
-/* Lines top <= y < bottom of a projected polygon that is not non-monotone and has them, as far as they are within
- * `open`: that of `bottom` - 1 first. */
+/* Lines top <= y < bottom, one at least, of a projected polygon that is not non-monotone and has them, as far as they
+ * are within `open`: that of `bottom` - 1 first. */
 void lim_trace_lines(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
                      int16_t top, int16_t bottom);
 

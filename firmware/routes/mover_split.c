@@ -363,9 +363,12 @@ static void mover_split_one(struct lim_sorter *sorter, struct divider *divider, 
 void lim_movers_divide(const struct lim_route *route, int32_t eye_side, uint16_t list, uint16_t *front, uint16_t *back)
 {
     struct lim_sorter *const sorter = route->sorter;
-    struct divider divider = {.node = route->next, .entry = LIM_NONE, .eye_side = eye_side, .owner = LIM_NONE};
+    struct divider divider; /* filled in where it is asked for: an initialiser would be a call of memset() */
     struct lim_queue fronts = lim_queue_begin(sorter, front), backs = lim_queue_begin(sorter, back);
 
+    divider.node = route->next;
+    divider.entry = divider.owner = LIM_NONE;
+    divider.eye_side = eye_side;
     lim_plane_unpack(&divider.plane, route->scene, &route->scene->nodes[route->next].split);
     find_sides(sorter, &divider, list, LIM_NONE);
     decide(sorter, &divider, route, &list);

@@ -114,14 +114,16 @@ static uint32_t set_anchor(struct lens *lens, const LIM_FLASH struct lim_box *bo
 }
 
 /* How far rounding moves the entries at this scale: the sum of squares, in units of 2^-26. An entry counts
- * as much as it moves a vertex on the screen; the row of z was made 2^tele_bits times as long. */
-static uint32_t rounding_at(const struct lens *lens, uint32_t scale, uint8_t tele_bits)
+ * as much as it moves a vertex on the screen; the row of z was made 2^tele_bits times as long. What is not below
+ * `enough` may be less than it is. */
+static uint32_t rounding_at(const struct lens *lens, uint32_t scale, uint8_t tele_bits, uint32_t enough_q26)
 {
     const uint32_t scale_times_4 = scale * 4;
     uint32_t sum_q26 = 0;
 
     LIM_UNROLLED(9)
     for (uint_fast8_t i = 0; i < 9; i++) {
+        if (LIM_HAS_MOVERS && i == 6 && sum_q26 >= enough_q26) break;             /* an object each asks */
         const uint32_t rest_q32 = (uint32_t)lens->entries_q30[i] * scale_times_4; /* entry * scale, modulo 1 */
         const int32_t rest_q13 = (int32_t)rest_q32 >> (i < 6 ? 19 : 19 + tele_bits);
         sum_q26 += (uint32_t)(rest_q13 * rest_q13);
@@ -151,8 +153,8 @@ static uint32_t choose_scale(const struct lens *lens, uint32_t far_units, uint8_
     for (uint_fast8_t i = 0; LIM_8_BIT && i < 9; i++)
         rests_q32[i] = (uint32_t)lens->entries_q30[i] * most * 4;
     for (uint_fast8_t k = 0; k < SCALES; k++) {
-        const uint32_t rounding =
-            LIM_8_BIT ? rounding_next(rests_q32, lens, tele_bits) : rounding_at(lens, most - k, tele_bits);
+        const uint32_t rounding = LIM_8_BIT ? rounding_next(rests_q32, lens, tele_bits)
+                                            : rounding_at(lens, most - k, tele_bits, least_rounding);
         if (rounding >= least_rounding) continue;
         least_rounding = rounding;
         best = most - k;
