@@ -42,6 +42,27 @@ struct lim_placed {
 };
 enum { LIM_PLACED_CORNERS = 32 };
 
+/* A plane of a mover in the static scene. */
+struct lim_placed_plane {
+    uint16_t mover; /* or LIM_NONE */
+    const LIM_FLASH struct lim_plane_ref *ref;
+    struct lim_plane_unpacked plane;
+};
+enum { LIM_PLACED_PLANES = 4 };
+
+/* Corners of a piece. */
+struct lim_corners {
+    uint8_t n;
+    int32_t at_q12[LIM_PIECE_VERTICES][3]; /* |coordinate| <= 2^27, of movers 2^28 */
+};
+
+/* Those of the piece that a cut has made; LIM_NONE: of none. Pieces in front and behind have a place each. */
+struct lim_kept_corners {
+    uint16_t cut;
+    struct lim_corners corners;
+};
+enum { LIM_KEPT_CORNERS = 2 };
+
 struct lim_movers {
     const struct lim_instance *instances; /* the caller's */
     uint16_t given, count;                /* of this frame, and how many of them there is room for */
@@ -54,7 +75,9 @@ struct lim_movers {
     uint16_t object_depth;
     int32_t ahead_q28[3]; /* the camera's */
     int32_t eye_q8[3];
-    struct lim_placed placed[LIM_PLACED_CORNERS]; /* of this frame, lately */
+    struct lim_placed placed[LIM_PLACED_CORNERS];      /* of this frame, lately */
+    struct lim_placed_plane planes[LIM_PLACED_PLANES]; /* likewise */
+    struct lim_kept_corners kept[LIM_KEPT_CORNERS];    /* of this walk, lately */
     struct lim_view world; /* of the static scene at half its scale, so that it reaches to 2^16 units */
     LIM_OPTIONAL(struct lim_light, light, LIM_HAS_LIGHT);
     LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL); /* of the object that is being drawn whole */

@@ -84,6 +84,15 @@ void lim_mover_forget_corners(struct lim_movers *movers)
 {
     for (uint_fast8_t i = 0; i < LIM_PLACED_CORNERS; i++)
         movers->placed[i].mover = LIM_NONE;
+    for (uint_fast8_t i = 0; i < LIM_PLACED_PLANES; i++)
+        movers->planes[i].mover = LIM_NONE;
+    lim_mover_forget_pieces(movers);
+}
+
+void lim_mover_forget_pieces(struct lim_movers *movers)
+{
+    for (uint_fast8_t i = 0; i < LIM_KEPT_CORNERS; i++)
+        movers->kept[i].cut = LIM_NONE;
 }
 
 /* The same few corners are asked for again and again: for each plane that a polygon may meet. */
@@ -121,6 +130,21 @@ void lim_mover_turn(const struct lim_movers *movers, uint16_t mover, struct lim_
     plane->slack = (int64_t)abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]);
     plane->narrow = false;
     plane->axis = LIM_NO_AXIS;
+}
+
+/* As corners are. */
+const struct lim_plane_unpacked *lim_mover_plane(struct lim_movers *movers, uint16_t mover,
+                                                 const LIM_FLASH struct lim_plane_ref *ref, uint16_t place)
+{
+    struct lim_placed_plane *placed = &movers->planes[place % LIM_PLACED_PLANES];
+
+    if (placed->mover != mover || placed->ref != ref) {
+        placed->mover = mover;
+        placed->ref = ref;
+        lim_plane_unpack(&placed->plane, movers->instances[mover].object, ref);
+        lim_mover_turn(movers, mover, &placed->plane);
+    }
+    return &placed->plane;
 }
 
 int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3])

@@ -23,11 +23,14 @@ void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *s
 {
     const uint16_t owner = lim_entry_owner(sorter, entry);
 
-    if (LIM_HAS_DEFORM && owner != LIM_NONE && lim_deforms(&sorter->movers->instances[owner]))
+    if (!LIM_HAS_MOVERS || owner == LIM_NONE) {
+        lim_plane_unpack(plane, sorter->pass->scene, lim_plane_of(sorter, entry));
+    } else if (LIM_HAS_DEFORM && lim_deforms(&sorter->movers->instances[owner])) {
         (void)lim_deform_plane(plane, lim_entry_scene(sorter, entry), lim_entry_record(sorter, entry));
-    else
-        lim_plane_unpack(plane, lim_entry_scene(sorter, entry), lim_plane_of(sorter, entry));
-    if (LIM_HAS_MOVERS && owner != LIM_NONE) lim_mover_turn(sorter->movers, owner, plane);
+        lim_mover_turn(sorter->movers, owner, plane);
+    } else {
+        *plane = *lim_mover_plane(sorter->movers, owner, lim_plane_of(sorter, entry), entry);
+    }
 }
 
 void lim_entry_corner(const struct lim_sorter *sorter, uint16_t entry, lim_index vertex, int32_t at_q12[3])
@@ -114,23 +117,133 @@ const struct lim_corners *lim_corners_cut(const struct lim_sorter *sorter, uint1
     return whole ? lim_corners_part(sorter, entry, whole, plane, front, places) : NULL;
 }
 
-/* The corners of a piece, in one of two places. NULL: too many, or none. */
-const struct lim_corners *lim_corners_of(const struct lim_sorter *sorter, uint16_t entry, struct lim_corners places[2])
+/* Whether corners are kept: of movers' pieces. */
+static bool keeps_corners(const struct lim_sorter *sorter)
+{
+    return LIM_HAS_MOVERS && !LIM_IS_NEWELL(&sorter->pass->target);
+}
+
+static struct lim_kept_corners *kept_of(const struct lim_sorter *sorter, uint16_t cut)
+{
+    return &sorter->movers->kept[cut % LIM_KEPT_CORNERS];
+}
+
+static bool is_kept(const struct lim_sorter *sorter, uint16_t cut)
+{
+    return keeps_corners(sorter) && kept_of(sorter, cut)->cut == cut;
+}
+
+/* The cut that is `steps` before another one of a piece. */
+static uint16_t cut_before(const struct lim_newell *newell, uint16_t cut, uint_fast16_t steps)
+{
+    for (; steps; steps--)
+        cut = newell->cuts[cut].next;
+    return cut;
+}
+
+/* From the whole record, or the last one of those that it was a part of whose corners are kept. These are cut in the
+ * order in which they were, so that they have no more corners than they had then; others the other way round. */
+static const struct lim_corners *cut_corners(const struct lim_sorter *sorter, uint16_t entry,
+                                             struct lim_corners places[2])
 {
     const struct lim_newell *newell = sorter->newell;
     const uint_fast16_t most = most_corners(lim_entry_scene(sorter, entry));
-    struct lim_corners *here = &places[0], *there = &places[1];
+    const struct lim_corners *here = &places[0];
+    uint16_t from = newell->polygons[entry].cuts;
+    uint_fast16_t count = 0;
 
-    load_corners(here, sorter, entry);
-    for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
+    for (; from != LIM_NONE && !is_kept(sorter, from); from = newell->cuts[from].next)
+        count++;
+    if (from != LIM_NONE)
+        here = &kept_of(sorter, from)->corners;
+    else
+        load_corners(&places[0], sorter, entry);
+    for (uint_fast16_t k = 0; k < count; k++) {
+        const uint16_t cut =
+            cut_before(newell, newell->polygons[entry].cuts, keeps_corners(sorter) ? count - 1 - k : k);
+        struct lim_corners *const there = here == &places[0] ? &places[1] : &places[0];
         struct lim_plane_unpacked plane;
         lim_plane_load(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX);
         if (!clip_to(there, here, &plane, newell->cuts[cut].by & LIM_CUT_FRONT, most)) return NULL;
-        struct lim_corners *const clipped = there;
-        there = here;
-        here = clipped;
+        here = there;
     }
     return here;
+}
+
+static const struct lim_corners *copy_corners(struct lim_corners *to, const struct lim_corners *from)
+{
+    to->n = from->n;
+    for (uint_fast8_t k = 0; k < from->n; k++)
+        for (uint_fast8_t i = 0; i < 3; i++)
+            to->at_q12[k][i] = from->at_q12[k][i];
+    return to;
+}
+
+/* The few pieces that a plane or a comparison is about are asked for several times. */
+const struct lim_corners *lim_corners_of(const struct lim_sorter *sorter, uint16_t entry, struct lim_corners places[2])
+{
+    const uint16_t cut = sorter->newell->polygons[entry].cuts;
+
+    if (cut == LIM_NONE || !keeps_corners(sorter)) return cut_corners(sorter, entry, places);
+    if (is_kept(sorter, cut)) return &kept_of(sorter, cut)->corners;
+    const struct lim_corners *corners = cut_corners(sorter, entry, places);
+    if (!corners) return NULL;
+    kept_of(sorter, cut)->cut = cut;
+    return copy_corners(&kept_of(sorter, cut)->corners, corners);
+}
+
+static void add_corner(struct lim_corners *to, const int32_t at_q12[3])
+{
+    int32_t *corner = to->at_q12[to->n++];
+
+    corner[0] = at_q12[0];
+    corner[1] = at_q12[1];
+    corner[2] = at_q12[2];
+}
+
+/* clip_to() for both sides at once. */
+static bool split_to(struct lim_corners *front, struct lim_corners *back, const struct lim_corners *from,
+                     const struct lim_plane_unpacked *plane, uint_fast16_t most)
+{
+    const int32_t *before = from->at_q12[from->n - 1];
+    int64_t value_before = lim_corner_value(plane, before);
+
+    front->n = back->n = 0;
+    for (uint_fast8_t k = 0; k < from->n; k++) {
+        const int32_t *here = from->at_q12[k];
+        const int64_t value = lim_corner_value(plane, here);
+        if (front->n + 2u > most || back->n + 2u > most) return false;
+        if ((value_before < 0 && value > 0) || (value_before > 0 && value < 0)) {
+            int32_t cross_q12[3];
+            if (value > 0)
+                lim_plane_cross(cross_q12, here, value, before, value_before);
+            else
+                lim_plane_cross(cross_q12, before, value_before, here, value);
+            add_corner(front, cross_q12);
+            add_corner(back, cross_q12);
+        }
+        if (value >= 0) add_corner(front, here);
+        if (value <= 0) add_corner(back, here);
+        before = here;
+        value_before = value;
+    }
+    return front->n >= 3 && back->n >= 3;
+}
+
+bool lim_corners_split(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane,
+                       uint16_t cut)
+{
+    struct lim_kept_corners *front = kept_of(sorter, cut), *back = kept_of(sorter, (uint16_t)(cut + 1));
+    struct lim_corners places[2];
+    const struct lim_corners *whole = lim_corners_of(sorter, entry, places);
+
+    if (!whole) return false;
+    if (whole == &front->corners || whole == &back->corners) whole = copy_corners(&places[0], whole);
+    if (!split_to(&front->corners, &back->corners, whole, plane, most_corners(lim_entry_scene(sorter, entry))))
+        return false;
+    front->cut = cut;
+    back->cut = (uint16_t)(cut + 1);
+    return true;
 }
 
 struct lim_reach lim_corners_reach(const struct lim_corners *corners)

@@ -211,7 +211,8 @@ static bool split_couple(struct lim_sorter *sorter, struct couple *couple)
 {
     look_at_planes(sorter, couple);
     const bool p_splits = couple->p_sides == LIM_SIDE_BOTH;
-    const bool q_splits = couple->q_sides == LIM_SIDE_BOTH && !(p_splits && (sorter->newell->options.split_one || sorter->comparing));
+    const bool q_splits =
+        couple->q_sides == LIM_SIDE_BOTH && !(p_splits && (sorter->newell->options.split_one || sorter->comparing));
     bool done = false;
 
     if (p_splits) done = split(sorter, couple->p, couple->q);

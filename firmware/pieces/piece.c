@@ -306,18 +306,18 @@ static struct lim_rect rect_of(const struct lim_sorter *sorter, const struct lim
     return both.x0 < both.x1 && both.y0 < both.y1 ? both : *whole;
 }
 
-/* How far the two pieces of an entry reach in the static scene. false: one would have too many corners. */
-static bool find_extents(struct lim_sorter *sorter, uint16_t entry, uint16_t other, uint16_t by)
+/* Cuts a mover's corners before its cuts are remembered; how far the pieces reach in the static scene is told on their
+ * way down the tree. false: one would have too many corners. */
+static LIM_IF_CALLED bool split_corners(struct lim_sorter *sorter, uint16_t entry, uint16_t other, uint16_t by)
 {
-    struct lim_corners places[2];
+    const struct lim_kept_corners *kept = sorter->movers->kept;
     struct lim_plane_unpacked plane;
-    const struct lim_corners *whole = lim_corners_of(sorter, entry, places), *part;
 
     lim_plane_load(&plane, sorter, by);
-    if (!whole || !(part = lim_corners_part(sorter, entry, whole, &plane, false, places))) return false;
-    lim_entry_set_extent(sorter, other, lim_corners_reach(part));
-    if (!(part = lim_corners_part(sorter, entry, whole, &plane, true, places))) return false;
-    lim_entry_set_extent(sorter, entry, lim_corners_reach(part));
+    if (!lim_corners_split(sorter, entry, &plane, sorter->newell->cuts_used)) return false;
+    if (sorter->comparing) return true;
+    lim_entry_set_extent(sorter, entry, lim_corners_reach(&kept[0].corners));
+    lim_entry_set_extent(sorter, other, lim_corners_reach(&kept[1].corners));
     return true;
 }
 
@@ -365,12 +365,13 @@ uint16_t lim_piece_split(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
     const struct lim_newell_polygon polygon = newell->polygons[entry];
     sorter->list[other] = before;
     newell->polygons[other] = polygon;
-    const bool on_screen = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target) || sorter->comparing;
-    const bool has_extents = on_screen || find_extents(sorter, entry, other, by);
+    const bool moves = LIM_HAS_MOVERS && !LIM_IS_NEWELL(&sorter->pass->target);
+    const bool on_screen = !moves || sorter->comparing, has_corners = !moves || split_corners(sorter, entry, other, by);
     remember(sorter, entry, (uint16_t)(by | LIM_CUT_FRONT));
     remember(sorter, other, by);
-    if (!has_extents || (on_screen && (!find_bounds(sorter, entry, true) || !find_bounds(sorter, other, true)))) {
+    if (!has_corners || (on_screen && (!find_bounds(sorter, entry, true) || !find_bounds(sorter, other, true)))) {
         newell->cuts_used = (uint16_t)(newell->cuts_used - 2);
+        if (LIM_HAS_MOVERS) lim_mover_forget_pieces(sorter->movers);
         sorter->list[entry] = before;
         newell->polygons[entry] = polygon;
         return LIM_NONE;

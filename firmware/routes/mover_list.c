@@ -55,6 +55,7 @@ uint16_t lim_movers_list(struct lim_sorter *sorter, const struct lim_cull *open)
 
     sorter->used = 0;
     sorter->newell->cuts_used = 0;
+    lim_mover_forget_pieces(movers);
     for (uint16_t i = 0; i < movers->count; i++) {
         if (movers->movers[i].radius_q12 < 0) continue;
         if (is_in_view(&movers->movers[i], open)) {

@@ -5,17 +5,9 @@
 #define LIM_PLANE_UNPACKED_H
 
 #include "math/fixed.h"
-#include "scene.h"
+#include "stages.h"
 
-enum { LIM_CORNER_ONE_Q12 = 4096, LIM_NO_AXIS = 3 };
-
-struct lim_plane_unpacked {
-    int32_t n[3];
-    int64_t d;
-    int64_t slack; /* |n . p - d| up to this is on it: newell.h */
-    bool narrow;   /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
-    uint8_t axis;  /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
-};
+enum { LIM_CORNER_ONE_Q12 = 4096 };
 
 void lim_plane_unpack(struct lim_plane_unpacked *plane, const struct lim_scene *scene,
                       const LIM_FLASH struct lim_plane_ref *ref);
