@@ -159,8 +159,11 @@ int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3]
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
 {
     if (movers->cached != mover) {
-        for (uint_fast16_t i = 0; i < LIM_VIEW_CACHE_ENTRIES; i++)
-            movers->cache[i].vertex = LIM_NO_INDEX;
+        uint_fast16_t filled = LIM_VIEW_CACHE_ENTRIES; /* the entry of a vertex is its number, modulo that */
+        if (movers->cached != LIM_NONE && movers->instances[movers->cached].object->vertex_count < filled)
+            filled = movers->instances[movers->cached].object->vertex_count;
+        while (filled)
+            movers->cache[--filled].vertex = LIM_NO_INDEX;
         movers->cached = mover;
     }
     return &movers->movers[mover].view;

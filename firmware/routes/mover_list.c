@@ -114,7 +114,7 @@ static bool add_by_tree(struct lim_sorter *sorter, struct lim_queue *queue, uint
     struct lim_route route = lim_route_object(sorter, mover, &screen, false);
     lim_index run;
 
-    while (lim_route_next_alone(&route, &run))
+    while ((run = lim_route_next_alone(&route)) != LIM_NO_INDEX)
         if (!add_run(sorter, queue, &route, mover, run)) return false;
     return true;
 }

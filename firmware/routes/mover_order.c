@@ -299,7 +299,7 @@ static int draw_whole(struct lim_sorter *sorter, uint16_t mover, const struct li
     struct lim_route route = lim_route_object(sorter, mover, open, back_to_front);
     lim_index run;
 
-    while (lim_route_next_alone(&route, &run)) {
+    while ((run = lim_route_next_alone(&route)) != LIM_NO_INDEX) {
         const int err = draw_run(sorter, &route, mover, run, open, draw, ctx);
         if (err) return err;
     }

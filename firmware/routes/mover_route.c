@@ -46,20 +46,16 @@ static void route_enter(struct lim_route *route)
 enum lim_route_event lim_route_next(struct lim_route *route, lim_index *what)
 {
     for (;;) {
-        while (route->next != LIM_NO_INDEX) {
-            if (route->list == LIM_NONE)
-                lim_route_enter_alone(route);
-            else
-                route_enter(route);
-        }
+        while (route->next != LIM_NO_INDEX && route->list != LIM_NONE)
+            route_enter(route);
         if (route->list != LIM_NONE) {
             *what = route->list;
             route->list = LIM_NONE;
             return LIM_ROUTE_LIST;
         }
-        if (!route->depth) return LIM_ROUTE_END;
-        *what = lim_route_leave(route);
+        *what = lim_route_next_alone(route);
         if (*what != LIM_NO_INDEX) return LIM_ROUTE_RUN;
+        if (route->list == LIM_NONE) return LIM_ROUTE_END;
     }
 }
 

@@ -32,7 +32,6 @@ const LIM_FLASH struct lim_node *lim_route_node_to_enter(struct lim_route *route
     return node;
 }
 
-/* The near subtree is next, with what moves in it; the rest waits. */
 void lim_route_go_near(struct lim_route *route, const LIM_FLASH struct lim_node *node, int32_t side, uint16_t front,
                        uint16_t back)
 {
@@ -51,41 +50,48 @@ void lim_route_go_through_leaf(struct lim_route *route, uint16_t list)
     route->next = LIM_NO_INDEX;
 }
 
-/* Where nothing moves. */
-void lim_route_enter_alone(struct lim_route *route)
+/* WALK's loop, with locals for what it changes. */
+lim_index lim_route_next_alone(struct lim_route *route)
 {
-    const LIM_FLASH struct lim_node *node = lim_route_node_to_enter(route);
+    const LIM_FLASH struct lim_node *const nodes = route->scene->nodes;
+    const bool back_to_front = route->back_to_front;
+    struct lim_stats *const stats = lim_stats_of(route->sorter->pass);
+    lim_index next = route->next, run = LIM_NO_INDEX;
+    uint16_t depth = route->depth, list = LIM_NONE;
 
-    if (!node) return;
-    if (lim_route_is_leaf(node))
-        lim_route_go_through_leaf(route, LIM_NONE);
-    else
-        lim_route_go_near(route, node, lim_eye_side(route->eye, &node->split), LIM_NONE, LIM_NONE);
-}
-
-/* Takes up what waits on the stack. Returns the run that comes before it, or LIM_NO_INDEX. */
-lim_index lim_route_leave(struct lim_route *route)
-{
-    const struct lim_route_pending *top = &route->stack[--route->depth];
-    const LIM_FLASH struct lim_node *node = &route->scene->nodes[top->node];
-    const bool front_first = (top->side > 0) != route->back_to_front;
-
-    route->node = top->node;
-    route->side = top->side;
-    route->list = top->list;
-    route->next = front_first ? node->back : node->front;
-    return top->side > 0 ? node->front_run : top->side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
-}
-
-bool lim_route_next_alone(struct lim_route *route, lim_index *run)
-{
-    for (;;) {
-        while (route->next != LIM_NO_INDEX)
-            lim_route_enter_alone(route);
-        if (!route->depth) return false;
-        *run = lim_route_leave(route);
-        if (*run != LIM_NO_INDEX) return true;
+    while (run == LIM_NO_INDEX && list == LIM_NONE) {
+        if (next == LIM_NO_INDEX) {
+            if (!depth) break;
+            const struct lim_route_pending *top = &route->stack[--depth];
+            const LIM_FLASH struct lim_node *node = &nodes[top->node];
+            next = (top->side > 0) != back_to_front ? node->back : node->front;
+            list = top->list;
+            run = top->side > 0 ? node->front_run : top->side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
+            route->node = top->node;
+            route->side = top->side;
+            continue;
+        }
+        const LIM_FLASH struct lim_node *node = &nodes[next];
+        if (lim_node_is_skipped(route->scene, node, route->shown, route->cull, depth, stats)) {
+            next = LIM_NO_INDEX;
+            continue;
+        }
+        if (LIM_HAS_STATS) stats->nodes++;
+        LIM_DEBUG_ASSERT(depth < route->scene->limits.depth);
+        struct lim_route_pending *pending = &route->stack[depth++];
+        pending->node = next;
+        pending->list = LIM_NONE;
+        pending->side = 1;
+        next = LIM_NO_INDEX;
+        if (lim_route_is_leaf(node)) continue;
+        const int32_t side = lim_eye_side(route->eye, &node->split);
+        pending->side = (int8_t)((side > 0) - (side < 0));
+        next = (side > 0) != back_to_front ? node->front : node->back;
     }
+    route->next = next;
+    route->depth = depth;
+    route->list = list;
+    return run;
 }
 
 struct lim_route lim_route_object(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,

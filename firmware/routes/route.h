@@ -13,8 +13,9 @@ struct lim_route lim_route_object(struct lim_sorter *sorter, uint16_t mover, con
 /* Begins at the root with a list. */
 void lim_route_begin(struct lim_route *route, uint16_t list);
 
-/* The next run of a route that began without a list; false: there is none. */
-bool lim_route_next_alone(struct lim_route *route, lim_index *run);
+/* The next run, as far as nothing moves: LIM_NO_INDEX where there is none, or a list comes first. What moves in what
+ * comes next is in route->list. */
+lim_index lim_route_next_alone(struct lim_route *route);
 
 /* Steps. The node to enter, or NULL: nothing of it can be seen. */
 const LIM_FLASH struct lim_node *lim_route_node_to_enter(struct lim_route *route);
@@ -30,11 +31,5 @@ void lim_route_go_near(struct lim_route *route, const LIM_FLASH struct lim_node 
 
 /* A leaf's run comes when it is left. */
 void lim_route_go_through_leaf(struct lim_route *route, uint16_t list);
-
-/* Where nothing moves. */
-void lim_route_enter_alone(struct lim_route *route);
-
-/* Takes up what waits on the stack. Returns the run that comes before it, or LIM_NO_INDEX. */
-lim_index lim_route_leave(struct lim_route *route);
 
 #endif
