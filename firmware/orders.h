@@ -110,9 +110,9 @@ struct lim_newell_polygon {
     bool swapped : 1;    /* it goes before a P already */
     bool last : 1;       /* of its part of the list: what follows may be painted after all of that */
     bool has_extent : 1; /* it is known */
-    bool in_front : 1;   /* it reaches there, of the plane of the node that it is at */
-    bool behind : 1;     /* likewise */
     bool farthest : 1;   /* of the pieces that newell.c has made of a mover's polygon */
+    bool grouped : 1;    /* its object is among those that mover_order.c takes next */
+    uint8_t sides : 2;   /* that it reaches to, of the plane of the node that it is at: LIM_SIDE_... (piece.h) */
     uint16_t owner;      /* the mover that it belongs to, or LIM_NONE */
 };
 

@@ -118,7 +118,7 @@ static bool mover_may_precede(const struct lim_sorter *sorter, uint16_t a, uint1
 
 static bool is_grouped(const struct lim_sorter *sorter, uint16_t first)
 {
-    return sorter->newell->polygons[first].in_front;
+    return sorter->newell->polygons[first].grouped;
 }
 
 /* An object that has to come before one of the group, or all before each other; LIM_NONE: none. */
@@ -135,7 +135,7 @@ static uint16_t find_blocker(const struct lim_sorter *sorter, uint16_t list)
 static void set_group(struct lim_sorter *sorter, uint16_t list, uint16_t only)
 {
     for (; list != LIM_NONE; list = next_object(sorter, list))
-        sorter->newell->polygons[list].in_front = list == only;
+        sorter->newell->polygons[list].grouped = list == only;
 }
 
 /* Groups objects that may be drawn before all others: one, if there is one. Where two come before each other, or some
@@ -152,7 +152,7 @@ static void find_group(struct lim_sorter *sorter, uint16_t list)
             set_group(sorter, list, first);
         } else {
             steps = 0;
-            sorter->newell->polygons[blocker].in_front = true;
+            sorter->newell->polygons[blocker].grouped = true;
         }
     }
 }

@@ -176,15 +176,12 @@ static uint8_t heavier_side(const struct lim_sorter *sorter, uint16_t entry, con
 
 static void set_sides(struct lim_sorter *sorter, uint16_t entry, uint8_t sides)
 {
-    sorter->newell->polygons[entry].in_front = sides & LIM_SIDE_FRONT;
-    sorter->newell->polygons[entry].behind = sides & LIM_SIDE_BACK;
+    sorter->newell->polygons[entry].sides = sides & 3u; /* LIM_SIDE_BOTH, as compilers know it */
 }
 
 static uint8_t sides_at(const struct lim_sorter *sorter, uint16_t entry)
 {
-    const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
-
-    return (uint8_t)((polygon->in_front ? LIM_SIDE_FRONT : 0) | (polygon->behind ? LIM_SIDE_BACK : 0));
+    return sorter->newell->polygons[entry].sides;
 }
 
 /* Uncut ------------------------------------------------------------------------------------------------------------ */
@@ -262,13 +259,17 @@ static bool stays(struct lim_sorter *sorter, const struct divider *divider, cons
            !lim_shaft_meets_scene(&shaft, route, divider->eye_side, reach);
 }
 
-/* Finds the sides of all entries up to `end`. */
-static void find_sides(struct lim_sorter *sorter, struct divider *divider, uint16_t list, uint16_t end)
+/* Finds the sides of all entries up to `end`. Whether any reaches through the plane. */
+static bool find_sides(struct lim_sorter *sorter, struct divider *divider, uint16_t list, uint16_t end)
 {
+    bool reaches = false;
+
     for (; list != end; list = sorter->list[list].next) {
         const uint8_t sides = sides_of(sorter, divider, list);
         set_sides(sorter, list, sides ? sides : near_side(divider));
+        reaches |= sides == LIM_SIDE_BOTH;
     }
+    return reaches;
 }
 
 /* Finds a side for what need not be cut; whether it has one. */
@@ -308,7 +309,7 @@ static bool burst_one(struct lim_sorter *sorter, struct divider *divider, uint16
         const uint16_t entry = *link, rest = sorter->list[entry].next;
         if (sides_at(sorter, entry) != LIM_SIDE_BOTH || !lim_mover_is_whole(sorter, entry)) continue;
         if (!lim_mover_burst(sorter, entry, link)) continue;
-        find_sides(sorter, divider, *link, rest);
+        (void)find_sides(sorter, divider, *link, rest);
         return true;
     }
     return false;
@@ -370,8 +371,7 @@ void lim_movers_divide(const struct lim_route *route, int32_t eye_side, uint16_t
     divider.entry = divider.owner = LIM_NONE;
     divider.eye_side = eye_side;
     lim_plane_unpack(&divider.plane, route->scene, &route->scene->nodes[route->next].split);
-    find_sides(sorter, &divider, list, LIM_NONE);
-    decide(sorter, &divider, route, &list);
+    if (find_sides(sorter, &divider, list, LIM_NONE)) decide(sorter, &divider, route, &list);
     while (list != LIM_NONE) {
         const uint16_t entry = list;
         list = sorter->list[entry].next;
