@@ -149,10 +149,10 @@ const struct lim_plane_unpacked *lim_mover_plane(struct lim_movers *movers, uint
 
 int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3])
 {
-    int64_t sum_q40 = 0;
+    int64_t sum_q40 = -movers->eye_ahead_q40;
 
     for (uint_fast8_t i = 0; i < 3; i++)
-        sum_q40 += movers->ahead_q28[i] * ((int64_t)at_q12[i] - (int64_t)movers->eye_q8[i] * 16);
+        sum_q40 += (int64_t)movers->ahead_q28[i] * at_q12[i];
     return (int32_t)(sum_q40 >> 31);
 }
 
@@ -366,9 +366,11 @@ void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const str
     lim_mover_forget_corners(movers);
     if (!movers->given) return;
     lim_orientation_set(axes_q30, camera);
+    movers->eye_ahead_q40 = 0;
     for (uint_fast8_t i = 0; i < 3; i++) {
         movers->ahead_q28[i] = axes_q30[6 + i] >> 2;
         movers->eye_q8[i] = camera->eye_q8[i];
+        movers->eye_ahead_q40 += movers->ahead_q28[i] * ((int64_t)camera->eye_q8[i] * 16);
     }
     if (!set_world(movers, &pass->view, camera, axes_q30)) movers->count = 0;
     for (uint16_t i = 0; i < movers->count; i++)
