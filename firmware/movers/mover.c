@@ -307,7 +307,7 @@ static void turn_light(struct lim_mover *mover, const struct lim_instance *insta
 }
 
 /* All but the rows. */
-static void set_view(struct lim_view *to, const struct lim_view *from, struct lim_view_cached *cache)
+static LIM_RARE void set_view(struct lim_view *to, const struct lim_view *from, struct lim_view_cached *cache)
 {
     to->width = from->width;
     to->height = from->height;

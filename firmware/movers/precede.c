@@ -45,24 +45,6 @@ static bool is_before_along_axis(const struct lim_movers *movers, const struct l
     return false;
 }
 
-/* The same of a plane that stands upright on the way from the one's centre to the other's, between their balls. */
-static bool is_before_along_way(const struct lim_movers *movers, const struct lim_mover *a, const struct lim_mover *b)
-{
-    int64_t square_q8 = 0, eye_q8 = 0;
-    uint32_t longest = 0, sum = 0;
-
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        const int32_t way = (b->centre_q12[i] - a->centre_q12[i]) >> 12;
-        square_q8 += (int64_t)way * way * 256;
-        eye_q8 += (int64_t)way * (movers->eye_q8[i] - (a->centre_q12[i] >> 4));
-        sum += abs_s32(way);
-        if (abs_s32(way) > longest) longest = abs_s32(way);
-    }
-    const int64_t length = longest + (sum - longest) * 107 / 256 + 1;
-    const int64_t a_q8 = length * ((a->radius_q12 >> 4) + 512), b_q8 = length * ((b->radius_q12 >> 4) + 512);
-    return a_q8 + b_q8 <= square_q8 && eye_q8 <= square_q8 - b_q8;
-}
-
 /* A ball beside a box, as the box has it: along its own axes, from its centre. */
 struct beside {
     int32_t ball_q8[3], eye_q8[3], half_q8[3];
@@ -122,10 +104,9 @@ bool lim_mover_precedes(const struct lim_movers *movers, uint16_t a, uint16_t b)
 {
     const struct lim_mover *first = &movers->movers[a], *second = &movers->movers[b];
 
-    return is_nearer(movers, a, b) ||
-           (!movers->instances[a].by_centre && !movers->instances[b].by_centre &&
-            (is_before_along_axis(movers, first, second) || is_before_along_way(movers, first, second) ||
-             is_parted(movers, a, b, true) || is_parted(movers, b, a, false)));
+    return is_nearer(movers, a, b) || (!movers->instances[a].by_centre && !movers->instances[b].by_centre &&
+                                       (is_before_along_axis(movers, first, second) || is_parted(movers, a, b, true) ||
+                                        is_parted(movers, b, a, false)));
 }
 
 #endif

@@ -28,6 +28,9 @@ void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *s
     } else if (LIM_HAS_DEFORM && lim_deforms(&sorter->movers->instances[owner])) {
         (void)lim_deform_plane(plane, lim_entry_scene(sorter, entry), lim_entry_record(sorter, entry));
         lim_mover_turn(sorter->movers, owner, plane);
+    } else if (LIM_OPTIMISE_SIZE) {
+        lim_plane_unpack(plane, lim_entry_scene(sorter, entry), lim_plane_of(sorter, entry));
+        lim_mover_turn(sorter->movers, owner, plane);
     } else {
         *plane = *lim_mover_plane(sorter->movers, owner, lim_plane_of(sorter, entry), entry);
     }
@@ -74,29 +77,50 @@ static uint_fast16_t most_corners(const struct lim_scene *scene)
     return most < LIM_PIECE_VERTICES ? most : LIM_PIECE_VERTICES;
 }
 
-/* false: it would have too many corners, or has too few. */
-static bool clip_to(struct lim_corners *to, const struct lim_corners *from, const struct lim_plane_unpacked *plane,
-                    bool front, uint_fast16_t most)
+static void add_corner(struct lim_corners *to, const int32_t at_q12[3])
+{
+    int32_t *corner = to->at_q12[to->n++];
+
+    corner[0] = at_q12[0];
+    corner[1] = at_q12[1];
+    corner[2] = at_q12[2];
+}
+
+/* The parts on both sides of a plane, or one: the other is NULL. false: one would have too many corners, or too few. */
+static bool cut_to(struct lim_corners *front, struct lim_corners *back, const struct lim_corners *from,
+                   const struct lim_plane_unpacked *plane, uint_fast16_t most)
 {
     const int32_t *before = from->at_q12[from->n - 1];
     int64_t value_before = lim_corner_value(plane, before);
+    struct lim_corners *parts[2] = {front, back};
 
-    to->n = 0;
+    for (uint_fast8_t side = 0; side < 2; side++)
+        if (parts[side]) parts[side]->n = 0;
     for (uint_fast8_t k = 0; k < from->n; k++) {
         const int32_t *here = from->at_q12[k];
         const int64_t value = lim_corner_value(plane, here);
-        if (to->n + 2u > most) return false;
-        if (value_before < 0 && value > 0) lim_plane_cross(to->at_q12[to->n++], here, value, before, value_before);
-        if (value_before > 0 && value < 0) lim_plane_cross(to->at_q12[to->n++], before, value_before, here, value);
-        if (front ? value >= 0 : value <= 0) {
-            for (uint_fast8_t i = 0; i < 3; i++)
-                to->at_q12[to->n][i] = here[i];
-            to->n++;
+        const bool leaves = value_before > 0 && value < 0, crosses = leaves || (value_before < 0 && value > 0);
+        int32_t cross_q12[3];
+        if (crosses)
+            lim_plane_cross(cross_q12, leaves ? before : here, leaves ? value_before : value, leaves ? here : before,
+                            leaves ? value : value_before);
+        for (uint_fast8_t side = 0; side < 2; side++) {
+            struct lim_corners *const part = parts[side];
+            if (!part) continue;
+            if (part->n + 2u > most) return false;
+            if (crosses) add_corner(part, cross_q12);
+            if (side ? value <= 0 : value >= 0) add_corner(part, here);
         }
         before = here;
         value_before = value;
     }
-    return to->n >= 3;
+    return (!front || front->n >= 3) && (!back || back->n >= 3);
+}
+
+static bool clip_to(struct lim_corners *to, const struct lim_corners *from, const struct lim_plane_unpacked *plane,
+                    bool front, uint_fast16_t most)
+{
+    return cut_to(front ? to : NULL, front ? NULL : to, from, plane, most);
 }
 
 const struct lim_corners *lim_corners_part(const struct lim_sorter *sorter, uint16_t entry,
@@ -117,10 +141,15 @@ const struct lim_corners *lim_corners_cut(const struct lim_sorter *sorter, uint1
     return whole ? lim_corners_part(sorter, entry, whole, plane, front, places) : NULL;
 }
 
-/* Whether corners are kept: of movers' pieces. */
-static bool keeps_corners(const struct lim_sorter *sorter)
+static bool are_of_movers(const struct lim_sorter *sorter)
 {
     return LIM_HAS_MOVERS && !LIM_IS_NEWELL(&sorter->pass->target);
+}
+
+/* Whether corners are kept: of movers' pieces, and not by the smallest code. */
+static bool keeps_corners(const struct lim_sorter *sorter)
+{
+    return !LIM_OPTIMISE_SIZE && are_of_movers(sorter);
 }
 
 static struct lim_kept_corners *kept_of(const struct lim_sorter *sorter, uint16_t cut)
@@ -141,7 +170,7 @@ static uint16_t cut_before(const struct lim_newell *newell, uint16_t cut, uint_f
     return cut;
 }
 
-/* From the whole record, or the last one of those that it was a part of whose corners are kept. These are cut in the
+/* From the whole record, or the last one of those that it was a part of whose corners are kept. Movers' are cut in the
  * order in which they were, so that they have no more corners than they had then; others the other way round. */
 static const struct lim_corners *cut_corners(const struct lim_sorter *sorter, uint16_t entry,
                                              struct lim_corners places[2])
@@ -160,7 +189,7 @@ static const struct lim_corners *cut_corners(const struct lim_sorter *sorter, ui
         load_corners(&places[0], sorter, entry);
     for (uint_fast16_t k = 0; k < count; k++) {
         const uint16_t cut =
-            cut_before(newell, newell->polygons[entry].cuts, keeps_corners(sorter) ? count - 1 - k : k);
+            cut_before(newell, newell->polygons[entry].cuts, are_of_movers(sorter) ? count - 1 - k : k);
         struct lim_corners *const there = here == &places[0] ? &places[1] : &places[0];
         struct lim_plane_unpacked plane;
         lim_plane_load(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX);
@@ -192,44 +221,6 @@ const struct lim_corners *lim_corners_of(const struct lim_sorter *sorter, uint16
     return copy_corners(&kept_of(sorter, cut)->corners, corners);
 }
 
-static void add_corner(struct lim_corners *to, const int32_t at_q12[3])
-{
-    int32_t *corner = to->at_q12[to->n++];
-
-    corner[0] = at_q12[0];
-    corner[1] = at_q12[1];
-    corner[2] = at_q12[2];
-}
-
-/* clip_to() for both sides at once. */
-static bool split_to(struct lim_corners *front, struct lim_corners *back, const struct lim_corners *from,
-                     const struct lim_plane_unpacked *plane, uint_fast16_t most)
-{
-    const int32_t *before = from->at_q12[from->n - 1];
-    int64_t value_before = lim_corner_value(plane, before);
-
-    front->n = back->n = 0;
-    for (uint_fast8_t k = 0; k < from->n; k++) {
-        const int32_t *here = from->at_q12[k];
-        const int64_t value = lim_corner_value(plane, here);
-        if (front->n + 2u > most || back->n + 2u > most) return false;
-        if ((value_before < 0 && value > 0) || (value_before > 0 && value < 0)) {
-            int32_t cross_q12[3];
-            if (value > 0)
-                lim_plane_cross(cross_q12, here, value, before, value_before);
-            else
-                lim_plane_cross(cross_q12, before, value_before, here, value);
-            add_corner(front, cross_q12);
-            add_corner(back, cross_q12);
-        }
-        if (value >= 0) add_corner(front, here);
-        if (value <= 0) add_corner(back, here);
-        before = here;
-        value_before = value;
-    }
-    return front->n >= 3 && back->n >= 3;
-}
-
 bool lim_corners_split(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane,
                        uint16_t cut)
 {
@@ -239,7 +230,7 @@ bool lim_corners_split(const struct lim_sorter *sorter, uint16_t entry, const st
 
     if (!whole) return false;
     if (whole == &front->corners || whole == &back->corners) whole = copy_corners(&places[0], whole);
-    if (!split_to(&front->corners, &back->corners, whole, plane, most_corners(lim_entry_scene(sorter, entry))))
+    if (!cut_to(&front->corners, &back->corners, whole, plane, most_corners(lim_entry_scene(sorter, entry))))
         return false;
     front->cut = cut;
     back->cut = (uint16_t)(cut + 1);

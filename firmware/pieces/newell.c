@@ -122,6 +122,12 @@ static uint16_t owner_in_order(const struct lim_sorter *sorter, uint16_t p)
     return lim_deforms(&sorter->movers->instances[owner]) ? (uint16_t)LIM_NONE : owner;
 }
 
+/* Whether tests 1 and 2 come first, and are asked by a function of their own: not by the smallest code. */
+static bool asks_at_once(const struct lim_sorter *sorter)
+{
+    return !LIM_OPTIMISE_SIZE && !sorter->newell->options.planes_first;
+}
+
 /* Whether P may be painted before Q. */
 static bool may_precede(struct lim_sorter *sorter, struct couple *couple)
 {
@@ -130,7 +136,7 @@ static bool may_precede(struct lim_sorter *sorter, struct couple *couple)
         {LIM_TEST_P_BEHIND, LIM_TEST_Q_IN_FRONT, LIM_TEST_X, LIM_TEST_Y, LIM_TEST_APART, LIM_TEST_P_PART}};
     const LIM_FLASH uint8_t *order = orders[sorter->newell->options.planes_first];
 
-    for (uint_fast8_t i = sorter->newell->options.planes_first ? 0 : 2; i < 6; i++) { /* else is_apart() has said no */
+    for (uint_fast8_t i = asks_at_once(sorter) ? 2 : 0; i < 6; i++) { /* else is_apart() has said no */
         const enum lim_newell_test test = (enum lim_newell_test)order[i];
         if (!passes(sorter, couple, test)) continue;
         count(sorter, test);
@@ -156,7 +162,7 @@ static bool find_obstacle(struct lim_sorter *sorter, struct couple *couple)
     const struct lim_sorted *list = sorter->list;
     const int32_t near_qv = polygon_of(sorter, couple->p)->near_qv;
     const uint16_t owner = owner_in_order(sorter, couple->p);
-    const bool rects_first = !sorter->newell->options.planes_first;
+    const bool rects_first = asks_at_once(sorter);
 
     for (uint16_t q = list[couple->p].next; q != LIM_NONE; q = list[q].next) {
         if (list[q].far_qv <= near_qv) {

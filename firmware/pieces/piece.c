@@ -306,14 +306,29 @@ static struct lim_rect rect_of(const struct lim_sorter *sorter, const struct lim
     return both.x0 < both.x1 && both.y0 < both.y1 ? both : *whole;
 }
 
-/* Cuts a mover's corners before its cuts are remembered; how far the pieces reach in the static scene is told on their
- * way down the tree. false: one would have too many corners. */
+/* How far the pieces reach in the static scene, for their way down the tree. false: one would have too many corners. */
+static bool find_extents(struct lim_sorter *sorter, uint16_t entry, uint16_t other,
+                         const struct lim_plane_unpacked *plane)
+{
+    struct lim_corners places[2];
+    const struct lim_corners *whole = lim_corners_of(sorter, entry, places), *part;
+
+    if (!whole || !(part = lim_corners_part(sorter, entry, whole, plane, false, places))) return false;
+    lim_entry_set_extent(sorter, other, lim_corners_reach(part));
+    if (!(part = lim_corners_part(sorter, entry, whole, plane, true, places))) return false;
+    lim_entry_set_extent(sorter, entry, lim_corners_reach(part));
+    return true;
+}
+
+/* The same, of corners that are kept for what comes next; before the cuts are remembered. */
 static LIM_IF_CALLED bool split_corners(struct lim_sorter *sorter, uint16_t entry, uint16_t other, uint16_t by)
 {
     const struct lim_kept_corners *kept = sorter->movers->kept;
     struct lim_plane_unpacked plane;
 
+    if (LIM_OPTIMISE_SIZE && sorter->comparing) return true;
     lim_plane_load(&plane, sorter, by);
+    if (LIM_OPTIMISE_SIZE) return find_extents(sorter, entry, other, &plane);
     if (!lim_corners_split(sorter, entry, &plane, sorter->newell->cuts_used)) return false;
     if (sorter->comparing) return true;
     lim_entry_set_extent(sorter, entry, lim_corners_reach(&kept[0].corners));
@@ -371,7 +386,7 @@ uint16_t lim_piece_split(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
     remember(sorter, other, by);
     if (!has_corners || (on_screen && (!find_bounds(sorter, entry, true) || !find_bounds(sorter, other, true)))) {
         newell->cuts_used = (uint16_t)(newell->cuts_used - 2);
-        if (LIM_HAS_MOVERS) lim_mover_forget_pieces(sorter->movers);
+        if (LIM_HAS_MOVERS && !LIM_OPTIMISE_SIZE) lim_mover_forget_pieces(sorter->movers);
         sorter->list[entry] = before;
         newell->polygons[entry] = polygon;
         return LIM_NONE;

@@ -181,7 +181,7 @@ static void narrow(struct lim_point *line, const struct trace *trace, int16_t ro
 /* Where a trace crosses the rows of a lattice of pixels: at x + row * slope. Neither is exact, but both pieces get the
  * same. */
 struct crossing {
-    int64_t x_q20, slope_q20;
+    int32_t x_q20, slope_q20; /* so that the sum fits on any line */
     bool front_is_low;
 };
 
@@ -220,63 +220,48 @@ static bool quotient_q20(int64_t num, int64_t step, uint32_t step_recip_q31, int
     return true;
 }
 
-/* false: it is too level. */
-static bool set_crossing(struct crossing *crossing, const struct trace *trace)
+static bool is_s31(int64_t x)
 {
+    return x < INT32_MAX / 2 - 2 * CROSSING_ONE_Q20 && x > INT32_MIN / 2 + 2 * CROSSING_ONE_Q20;
+}
+
+/* false: it is too level, or leaves the screen far to the side, which is asked for all lines that there are: so both
+ * pieces hear the same. */
+static bool set_crossing(struct crossing *crossing, const struct trace *trace, uint16_t h_px)
+{
+    int64_t x_q20, slope_q20;
     int8_t step_shift;
     uint8_t zeros;
 
     if (!trace->step || (LIM_HAS_ANTIALIAS && trace->shift)) return false;
     const uint32_t recip_q31 = recip_q31_of(mantissa_of(trace->step, &step_shift), &zeros);
     crossing->front_is_low = trace->step < 0;
-    return quotient_q20(trace->first, trace->step, recip_q31, step_shift, &crossing->x_q20) &&
-           quotient_q20(trace->down, trace->step, recip_q31, step_shift, &crossing->slope_q20);
-}
-
-static void keep_below(struct lim_point *line, int64_t x)
-{
-    if (x < line->y) line->y = x > line->x ? (lim_sub)x : line->x;
-}
-
-static void keep_from(struct lim_point *line, int64_t x)
-{
-    if (x > line->x) line->x = x < line->y ? (lim_sub)x : line->y;
-}
-
-/* A crossing that is too far to the side, on one of the lines at least, for 32 bits. */
-static LIM_RARE void narrow_far(struct lim_point *line, uint_fast16_t n, int64_t x_q20, int64_t slope_q20, bool low)
-{
-    for (; n; n--, line--, x_q20 += slope_q20)
-        (low ? keep_below : keep_from)(line, x_q20 >> 20);
-}
-
-static bool is_s32(int64_t x)
-{
-    return x == (int32_t)x;
+    if (!quotient_q20(trace->first, trace->step, recip_q31, step_shift, &x_q20) ||
+        !quotient_q20(trace->down, trace->step, recip_q31, step_shift, &slope_q20) || !is_s31(x_q20) ||
+        !is_s31(slope_q20 * h_px))
+        return false;
+    crossing->x_q20 = (int32_t)x_q20 + (crossing->front_is_low ? CROSSING_ONE_Q20 + CROSSING_SLACK_Q20
+                                                               : CROSSING_ONE_Q20 - 1 - CROSSING_SLACK_Q20);
+    crossing->slope_q20 = (int32_t)slope_q20;
+    return true;
 }
 
 /* Cuts all lines. What is as good as on the plane is in front. */
 static void narrow_all(struct lim_point *last, const struct crossing *crossing, int16_t top, int16_t bottom, bool front)
 {
-    const int32_t slack_q20 =
-        crossing->front_is_low ? CROSSING_ONE_Q20 + CROSSING_SLACK_Q20 : CROSSING_ONE_Q20 - 1 - CROSSING_SLACK_Q20;
-    const int64_t x_q20 = crossing->x_q20 + crossing->slope_q20 * top + slack_q20;
-    uint_fast16_t n = (uint_fast16_t)(bottom - top);
     const bool low = front == crossing->front_is_low;
-    struct lim_point *line = &last[n - 1];
-    uint32_t at_q20 = (uint32_t)x_q20; /* the step below the last line may wrap */
+    int32_t x_q20 = crossing->x_q20 + crossing->slope_q20 * top;
+    struct lim_point *line = &last[bottom - 1 - top];
 
-    if (!is_s32(x_q20) || !is_s32(x_q20 + crossing->slope_q20 * (bottom - 1 - top))) {
-        narrow_far(line, n, x_q20, crossing->slope_q20, low);
-        return;
+    for (int16_t y = top; y < bottom; y++, line--) {
+        const int32_t x = x_q20 >> 20;
+        if (low) {
+            if (x < line->y) line->y = x > line->x ? (lim_sub)x : line->x;
+        } else {
+            if (x > line->x) line->x = x < line->y ? (lim_sub)x : line->y;
+        }
+        x_q20 = (int32_t)((uint32_t)x_q20 + (uint32_t)crossing->slope_q20);
     }
-    const uint32_t slope_q20 = (uint32_t)crossing->slope_q20;
-    if (low)
-        for (; n; n--, line--, at_q20 += slope_q20)
-            keep_below(line, (int32_t)at_q20 >> 20);
-    else
-        for (; n; n--, line--, at_q20 += slope_q20)
-            keep_from(line, (int32_t)at_q20 >> 20);
 }
 
 /* The part of the screen that is drawn: no line leaves it. */
@@ -337,7 +322,7 @@ void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, const struct
         lim_plane_load(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX);
         set_trace(&trace, sorter, entry, &plane);
         const bool front = newell->cuts[cut].by & LIM_CUT_FRONT;
-        if (set_crossing(&crossing, &trace)) {
+        if (set_crossing(&crossing, &trace, sorter->pass->target.h_px)) {
             narrow_all(last, &crossing, top, bottom, front);
             continue;
         }

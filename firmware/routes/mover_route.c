@@ -38,7 +38,7 @@ static void route_enter(struct lim_route *route)
         enter_leaf(route, node->front_run);
         return;
     }
-    const int32_t side = lim_eye_side(route->eye, &node->split);
+    const int32_t side = lim_route_side(route, node);
     lim_movers_divide(route, side, route->list, &front, &back);
     lim_route_go_near(route, node, side, front, back);
 }

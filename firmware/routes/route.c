@@ -32,6 +32,11 @@ const LIM_FLASH struct lim_node *lim_route_node_to_enter(struct lim_route *route
     return node;
 }
 
+int32_t lim_route_side(const struct lim_route *route, const LIM_FLASH struct lim_node *node)
+{
+    return lim_eye_side(route->eye, &node->split);
+}
+
 void lim_route_go_near(struct lim_route *route, const LIM_FLASH struct lim_node *node, int32_t side, uint16_t front,
                        uint16_t back)
 {

@@ -25,6 +25,9 @@ static inline bool lim_route_is_leaf(const LIM_FLASH struct lim_node *node)
     return LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
 }
 
+/* Where the eye is: as lim_eye_side(), which is long, where it is asked seldom. */
+int32_t lim_route_side(const struct lim_route *route, const LIM_FLASH struct lim_node *node);
+
 /* The near subtree is next, with what moves in it; the rest waits. */
 void lim_route_go_near(struct lim_route *route, const LIM_FLASH struct lim_node *node, int32_t side, uint16_t front,
                        uint16_t back);

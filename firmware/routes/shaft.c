@@ -181,7 +181,7 @@ bool lim_shaft_meets_scene(const struct lim_shaft *shaft, const struct lim_route
             if (meets_run(shaft, route, node->front_run)) return true;
             continue;
         }
-        const int32_t side = lim_eye_side(route->eye, &node->split);
+        const int32_t side = lim_route_side(route, node);
         const bool front_first = (side > 0) != shaft->is_shadow;
         next = front_first ? node->front : node->back;
         if (side && is_beside(shaft, of, route->scene, &node->split, front_first)) continue;

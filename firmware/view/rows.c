@@ -123,7 +123,8 @@ static uint32_t rounding_at(const struct lens *lens, uint32_t scale, uint8_t tel
 
     LIM_UNROLLED(9)
     for (uint_fast8_t i = 0; i < 9; i++) {
-        if (LIM_HAS_MOVERS && (i == 3 || i == 5 || i == 7) && sum_q26 >= enough_q26) break;             /* an object each asks */
+        if (LIM_HAS_MOVERS && !LIM_OPTIMISE_SIZE && (i == 3 || i == 5 || i == 7) && sum_q26 >= enough_q26)
+            break;                                                                /* an object each asks */
         const uint32_t rest_q32 = (uint32_t)lens->entries_q30[i] * scale_times_4; /* entry * scale, modulo 1 */
         const int32_t rest_q13 = (int32_t)rest_q32 >> (i < 6 ? 19 : 19 + tele_bits);
         sum_q26 += (uint32_t)(rest_q13 * rest_q13);
