@@ -92,4 +92,33 @@ static inline bool lim_gap_split(struct lim_spans *spans, struct lim_gap *gap, u
     return true;
 }
 
+/* Of what closing a line's pixels comes to where it has one gap, or none. [*x0, *x1) becomes the piece that was open:
+ * a caller that does not look at it pays nothing for it. A closed line's gap is anywhere. */
+static LIM_HOT_INLINE enum lim_span_result lim_gap_close_only(struct lim_spans *spans, struct lim_gap *gap, int32_t *x0,
+                                                              int32_t *x1)
+{
+    const int32_t open0 = gap->x0, open1 = gap->x1;
+
+    if (*x0 <= open0) {
+        if (*x1 <= open0) return LIM_SPAN_NOTHING;
+        *x0 = open0;
+        if (*x1 < open1) {
+            gap->x0 = (uint16_t)*x1;
+            return LIM_SPAN_SOME;
+        }
+        if (open0 == open1) return LIM_SPAN_NOTHING;
+        *x1 = open1;
+        lim_gap_close_last(spans, gap);
+        return LIM_SPAN_SOME;
+    }
+    if (*x1 >= open1) {
+        if (*x0 >= open1) return LIM_SPAN_NOTHING;
+        *x1 = open1;
+        gap->x1 = (uint16_t)*x0;
+        return LIM_SPAN_SOME;
+    }
+    if (*x0 >= *x1) return LIM_SPAN_NOTHING;
+    return lim_gap_split(spans, gap, (uint16_t)*x0, (uint16_t)*x1) ? LIM_SPAN_SOME : LIM_SPAN_EXHAUSTED;
+}
+
 #endif

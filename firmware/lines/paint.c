@@ -91,11 +91,20 @@ static inline void set_wire(struct sink *sink, const struct lim_paint *paint, co
                                     .n = n};
 }
 
-static inline void set_span(struct sink *sink, struct lim_active *active, const union lim_retained_cell *cells)
+static inline void set_span(struct sink *sink, struct lim_active *active, const union lim_retained_cell *cells,
+                            int32_t left, int32_t right)
 {
     sink->span->gradients = lim_retained_has_texture(cells) ? active->gradients : NULL;
-    sink->span->left = lim_edge_x(&active->pair.left);
-    sink->span->right = lim_edge_x(&active->pair.right);
+    sink->span->left = (int16_t)left;
+    sink->span->right = (int16_t)right;
+}
+
+/* Whether a piece is nothing else, as most are that have a texture. */
+static inline bool is_perspective(const struct sink *sink)
+{
+    const bool is_painted = LIM_HAS_TEXTURE && !LIM_HAS_DELTA && !LIM_HAS_WIREFRAME && !LIM_HAS_STATS;
+
+    return is_painted && is_textured(sink) && !sink->span->gradients->is_even;
 }
 
 static lim_piece_fill paint_piece;
@@ -104,6 +113,10 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;
 
+    if (LIM_HOT && is_perspective(sink)) {
+        (void)lim_texture_fill_stretches(sink->span, sink->line, x0, x1);
+        return;
+    }
     if (!note(sink, x0, x1, sink->colour | (is_textured(sink) ? LIM_RUN_TEXTURED : 0))) {
         if (LIM_HAS_WIREFRAME && sink->wire->n)
             lim_wire_fill(sink->line, sink->wire, x0, x1);
@@ -118,6 +131,11 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 /* Moves a polygon to line y. false: it has ended. */
 static bool paint_advance(struct lim_active *active, const union lim_retained_cell *cells, int16_t y)
 {
+    if (LIM_HOT && y < (int16_t)active->turn) { /* most lines: nothing ends */
+        lim_edge_step(&active->pair.left);
+        lim_edge_step(&active->pair.right);
+        return true;
+    }
     if (y >= (int16_t)lim_retained_bottom(cells)) return false;
     if (active->pair.left.end > y) lim_edge_step(&active->pair.left);
     if (active->pair.right.end > y) lim_edge_step(&active->pair.right);
@@ -137,21 +155,34 @@ static LIM_IF_CALLED void push_layers(struct lim_paint *paint, const struct lim_
     if (!paint->layers->exhausted) lim_layers_push(paint->layers, spans, open, &piece);
 }
 
+/* What of [left, right) is open. */
+static inline void paint_open(struct lim_spans *spans, struct lim_line *open, int32_t x0, int32_t x1, struct sink *sink)
+{
+    if (!LIM_HOT || open->gap.next != LIM_NONE)
+        (void)lim_span_close(spans, open, (int16_t)x0, (int16_t)x1, paint_piece, sink);
+    else if (lim_gap_close_only(spans, &open->gap, &x0, &x1) != LIM_SPAN_SOME)
+        return;
+    else if (is_perspective(sink))
+        (void)lim_texture_fill_stretches(sink->span, sink->line, x0, x1);
+    else
+        paint_piece(sink, (uint16_t)x0, (uint16_t)x1);
+}
+
 /* What an active polygon has on line y. false: it has ended. */
 static inline bool paint_centres(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
                                  struct lim_active *active, const union lim_retained_cell *cells, uint16_t y,
                                  struct sink *sink)
 {
-    const int16_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
+    const int32_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
 
     sink->colour = cells[1].look.colour;
-    if (LIM_HAS_TEXTURE) set_span(sink, active, cells);
+    if (LIM_HAS_TEXTURE) set_span(sink, active, cells, left, right);
     if (LIM_HAS_WIREFRAME) set_wire(sink, paint, cells, y);
     if (left < right) {
         if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE)
             push_layers(paint, spans, open, active, cells);
         else
-            (void)lim_span_close(spans, open, left, right, paint_piece, sink);
+            paint_open(spans, open, left, right, sink);
     }
     return paint_advance(active, cells, (int16_t)(y + 1));
 }
@@ -178,7 +209,7 @@ static void paint_background(const struct lim_spans *spans, const struct lim_lin
     const struct lim_gap *gap = &open->gap;
 
     for (;;) {
-        if ((!LIM_HAS_DELTA || gap->x0 < gap->x1) && !note(sink, gap->x0, gap->x1, paint->background))
+        if (gap->x0 < gap->x1 && !note(sink, gap->x0, gap->x1, paint->background))
             lim_fill(sink->line, gap->x0, (uint16_t)(gap->x1 - gap->x0), paint->background);
         if (LIM_HAS_STATS) stats->pixels_background += (uint16_t)(gap->x1 - gap->x0);
         if (gap->next == LIM_NONE) return;

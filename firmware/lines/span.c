@@ -92,35 +92,6 @@ enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *li
     return result;
 }
 
-/* Of what closing a line's pixels comes to where it has one gap, or none. [*x0, *x1) becomes the piece that was open:
- * a caller that does not look at it pays nothing for it. A closed line's gap is anywhere. */
-static LIM_HOT_INLINE enum lim_span_result close_in_gap(struct lim_spans *spans, struct lim_gap *gap, int32_t *x0,
-                                                        int32_t *x1)
-{
-    const int32_t open0 = gap->x0, open1 = gap->x1;
-
-    if (*x0 <= open0) {
-        if (*x1 <= open0) return LIM_SPAN_NOTHING;
-        *x0 = open0;
-        if (*x1 < open1) {
-            gap->x0 = (uint16_t)*x1;
-            return LIM_SPAN_SOME;
-        }
-        if (open0 == open1) return LIM_SPAN_NOTHING;
-        *x1 = open1;
-        lim_gap_close_last(spans, gap);
-        return LIM_SPAN_SOME;
-    }
-    if (*x1 >= open1) {
-        if (*x0 >= open1) return LIM_SPAN_NOTHING;
-        *x1 = open1;
-        gap->x1 = (uint16_t)*x0;
-        return LIM_SPAN_SOME;
-    }
-    if (*x0 >= *x1) return LIM_SPAN_NOTHING;
-    return lim_gap_split(spans, gap, (uint16_t)*x0, (uint16_t)*x1) ? LIM_SPAN_SOME : LIM_SPAN_EXHAUSTED;
-}
-
 /* Most lines have one gap, or none. `sink` is for what is painted at once; NULL: it is retained, and asks which lines
  * were open. `many`: the sink of lines that have several. */
 static LIM_HOT_INLINE bool close_between(struct lim_spans *spans, int16_t y, int16_t end, struct lim_closing *closing,
@@ -138,7 +109,7 @@ static LIM_HOT_INLINE bool close_between(struct lim_spans *spans, int16_t y, int
         lim_edge_step(&right);
         if (sink) look->y_px = (uint16_t)(line - spans->lines);
         if (LIM_HOT && line->gap.next == LIM_NONE) {
-            result = close_in_gap(spans, &line->gap, &x0, &x1);
+            result = lim_gap_close_only(spans, &line->gap, &x0, &x1);
             if (sink && result == LIM_SPAN_SOME) sink(look, (uint16_t)x0, (uint16_t)x1);
         } else if (sink || !LIM_HOT) {
             result = x0 < x1 ? lim_span_close(spans, line, (int16_t)x0, (int16_t)x1, many, look) : LIM_SPAN_NOTHING;
