@@ -26,7 +26,7 @@ static LIM_INLINE uint_fast16_t lim_texel_at(uint32_t place, uint32_t rows_mask,
     place += step
 
 /* Up to so many pixels a jump past those that are too many would take longer than to count them. */
-enum { LIM_TEXELS_FEW = 8 };
+enum { LIM_TEXELS_FEW = 4 };
 
 /* n pixels, one at least. Eight at a time, with a jump past those that are too many. */
 static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uint32_t place,
@@ -43,18 +43,19 @@ static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uin
         } while (++to != end);
         return;
     }
-    to -= (0u - n) & 7;
+    const uint_fast16_t skipped = (0u - n) & 7;
+    to -= skipped;
     // clang-format off
-    switch (n & 7) {
+    switch (skipped) {
         do {
     case 0: LIM_TEXEL_NEXT(0); /* fall through */
-    case 7: LIM_TEXEL_NEXT(1); /* fall through */
-    case 6: LIM_TEXEL_NEXT(2); /* fall through */
-    case 5: LIM_TEXEL_NEXT(3); /* fall through */
+    case 1: LIM_TEXEL_NEXT(1); /* fall through */
+    case 2: LIM_TEXEL_NEXT(2); /* fall through */
+    case 3: LIM_TEXEL_NEXT(3); /* fall through */
     case 4: LIM_TEXEL_NEXT(4); /* fall through */
-    case 3: LIM_TEXEL_NEXT(5); /* fall through */
-    case 2: LIM_TEXEL_NEXT(6); /* fall through */
-    case 1: LIM_TEXEL_NEXT(7);
+    case 5: LIM_TEXEL_NEXT(5); /* fall through */
+    case 6: LIM_TEXEL_NEXT(6); /* fall through */
+    case 7: LIM_TEXEL_NEXT(7);
             to += 8;
         } while (to != end);
     }
