@@ -61,7 +61,7 @@ struct lim_texture_even {
 struct lim_texture_planes {             /* where it is not */
     struct lim_texture_plane depth;     /* n . D, positive where the polygon is: 1 / z but for a factor */
     struct lim_texture_plane uv[2];     /* h (a . D), with one more factor */
-    uint32_t eye_uv_q16[2];             /* the place at the eye, in widths of the picture, modulo 2^16 */
+    uint32_t eye_place;                 /* the place at the eye, as in struct lim_texture_walk */
     int32_t depth_min;                  /* that of the scene's far end, at least 1 */
     int16_t level_q4;                   /* of detail, less 3/2 log2(depth) but for the constant */
     int16_t even_q4;                    /* log2 of the square of how many pixels are even, less what level_q4 tells */
@@ -70,12 +70,12 @@ struct lim_texture_planes {             /* where it is not */
 
 /* A polygon's mapping as this frame's camera sees it. */
 struct lim_gradients {
-    const LIM_FLASH struct lim_texture *texture; /* NULL: of one colour */
     struct lim_texture_level level;              /* the last one that was shown */
+    const LIM_FLASH struct lim_texture *texture; /* NULL: of one colour */
     bool is_even;
     int8_t shift;        /* of planes: makes up for the factors, 31 at most */
     uint8_t slope_zeros; /* leading zeros of |depth.x| */
-    uint8_t bits;        /* a line's stretches have 2^bits pixels, whatever the line; 0: each line has its own */
+    uint8_t pace;        /* of stretches (lim_texture_pace()), whatever the line; 0: each line has its own */
     union {
         struct lim_texture_even even;
         struct lim_texture_planes planes;

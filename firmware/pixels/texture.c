@@ -328,8 +328,8 @@ static void set_planes(const struct lim_texturing *texturing, const struct seen 
     for (uint_fast8_t i = 0; i < 2; i++) {
         planes->uv[i] = seen->uv[i];
         times(&planes->uv[i], seen->height.mantissa);
-        planes->eye_uv_q16[i] = seen->eye_uv_q16[i];
     }
+    planes->eye_place = pair_of_lows(seen->eye_uv_q16[1], seen->eye_uv_q16[0]);
     planes->depth = seen->depth;
     planes->depth_min = depth_min_of(seen->height, seen->depth_bits, texturing->far_bits);
     planes->level_q4 = seen->level_q4;

@@ -25,14 +25,14 @@
 struct lim_texture_line {
     const struct lim_texturing *texturing;
     struct lim_gradients *gradients; /* their level is that of the stretch */
-    struct lim_texture_walk walk;    /* from pixel x on */
+    struct lim_texture_walk walk;    /* from pixel `middle` on, and back */
     int32_t x, end;
-    int32_t depth, uv[2];                 /* the planes where the next stretch begins, or the first one */
-    int32_t depth_step, uv_step[2], bend; /* what a stretch adds to them; the first again, or 0 of a single pixel */
-    uint32_t seen_depth, at_q16[2];       /* there; no less than depth_min */
-    int32_t n_px;                         /* of a stretch, of which the line may have less: */
-    uint32_t bits;                        /* 2^bits */
-    uint16_t divisions;                   /* so far */
+    int32_t middle, next;      /* of the stretch, and behind it */
+    uint32_t step_after;       /* of what is bent, from its middle on */
+    int32_t depth, uv[2];      /* the planes where x is 0 */
+    uint32_t middle_depth;     /* of the stretch, no less than depth_min */
+    uint32_t n_px, bits, bent; /* of a stretch, 2^bits; 1: only halves of it are even */
+    uint16_t divisions;        /* so far */
 };
 
 /* Once a frame, after lim_view_begin(). */
@@ -59,7 +59,7 @@ void lim_texture_line_next(struct lim_texture_line *line);
 /* The place that pixel x of the stretch shows. */
 static inline uint32_t lim_texture_place(const struct lim_texture_line *line, int32_t x)
 {
-    return line->walk.place + line->walk.step * (uint32_t)(x - line->x);
+    return line->walk.place + line->walk.step * (uint32_t)(x - line->middle);
 }
 
 /* Of a polygon that is even all over. */

@@ -1,194 +1,224 @@
 /* SPDX-License-Identifier: MIT
  *
- * A line that is level, or stretches of 2^bits pixels, with a division at each end and texels along a straight line in
- * between. How long they may be is decided where the line is farthest away, where texels are closest together. */
+ * Stretches of 2^bits pixels, with a division in the middle of each. Where depth gains q times what it is there on the
+ * way to the end, and a coordinate would gain W if depth did not, it gains W / (1 + q) up to there, and W / (1 - q)
+ * from the beginning: V - O and V + O, for V = W (1 + q^2 + ...) and O = q V. So a stretch is straight, with V on
+ * either side, or bent in its middle. What is straight passes the middle at a distance of O, each half of what is bent
+ * its own middle at O / 4: they are moved by half of that, and err as much at their ends. How long a stretch may be is
+ * decided where the line is farthest away, where texels are closest together. */
 #include "pixels/texture.h"
 
 #if LIM_HAS_TEXTURE
 
-static inline int32_t first_px(const struct lim_textured_span *span)
+static inline int32_t shifted_left(int32_t x, uint32_t bits)
 {
-    return span->left < 0 ? 0 : span->left;
+    return (int32_t)((uint32_t)x << bits);
 }
 
-static inline int32_t width_px(const struct lim_textured_span *span)
+/* a + 4 b, a - 4 b: modulo 2^32, as are all sums of planes that are out of all bounds. */
+static inline int32_t plus_4(int32_t a, int32_t b)
 {
-    return lim_texture_lesser(span->right, span->texturing->w_px) - first_px(span);
+    return (int32_t)((uint32_t)a + 4 * (uint32_t)b);
 }
 
-/* Level ------------------------------------------------------------------------------------------------------------ */
-
-static inline int32_t over_depth(int32_t plane, int32_t recip_q31, int_fast16_t down)
+static inline int32_t less_4(int32_t a, int32_t b)
 {
-    return lim_texture_times(plane, recip_q31) >> down;
+    return (int32_t)((uint32_t)a - 4 * (uint32_t)b);
 }
 
-/* What a pixel adds, of what 2^bits pixels add to a plane. */
-static inline uint32_t level_step(int32_t plane_x, int32_t recip_q31, int_fast16_t down, uint32_t bits)
+/* The plane's value at twice a pixel's coordinates, on a line where it is `at` for x = 0. */
+static inline int32_t at_twice(int32_t at, int32_t plane_x, int32_t twice_x)
 {
-    const int32_t way_q16 = over_depth((int32_t)((uint32_t)plane_x << bits << 1), recip_q31, down);
-
-    return (uint32_t)((way_q16 + (((int32_t)1 << bits) >> 1)) >> bits);
+    return (int32_t)((uint32_t)at + (uint32_t)plane_x * (uint32_t)twice_x);
 }
 
-/* A line that is equally far away all over, as of a floor, is even: from its first pixel on. false: it is not, or so
- * long that a step's rounding would show. */
-static LIM_INLINE bool walk_level(const struct lim_textured_span *span, struct lim_texture_walk *walk)
+/* Or 0, for |x| < 32. */
+static inline int32_t not_negative(int32_t x)
 {
-    struct lim_gradients *const gradients = span->gradients;
-    const struct lim_texture_planes *planes = &gradients->planes;
-    const uint32_t bits = 32u - clz_u32((uint32_t)width_px(span));
+#if LIM_DUAL_MULTIPLY && defined(__arm__)
+    int32_t positive;
+    __asm__("usat %0, #5, %1" : "=r"(positive) : "r"(x));
+    return positive;
+#else
+    return x & ~(x >> 31);
+#endif
+}
 
-    if (planes->depth.x || bits + gradients->texture->w_bits > LIM_TEXTURE_MOST_BITS) return false;
-    const int32_t x = 2 * first_px(span) + 1 - span->texturing->w_px, y = 2 * span->y + 1 - span->texturing->h_px;
-    const int32_t seen_depth = planes->depth.at + planes->depth.y * y;
-    const uint32_t depth = (uint32_t)(seen_depth < planes->depth_min ? planes->depth_min : seen_depth);
-    uint8_t zeros;
-    const int32_t recip_q31 = lim_texture_reciprocal(depth, &zeros);
-    const int_fast16_t shift = (int_fast16_t)(gradients->shift - zeros), down = shift < 0 ? 0 : shift;
-    const struct lim_texture_plane *u = &planes->uv[0], *v = &planes->uv[1];
+/* Of the upper half. */
+static inline int32_t square_of_high(int32_t x)
+{
+#if LIM_DUAL_MULTIPLY && defined(__arm__)
+    int32_t square;
+    __asm__("smultt %0, %1, %1" : "=r"(square) : "r"(x));
+    return square;
+#else
+    return (x >> 16) * (x >> 16);
+#endif
+}
+
+static LIM_IN_EACH_CALLER void suit_level(const struct lim_texture_line *line, uint32_t depth)
+{
+    const struct lim_texture_planes *planes = &line->gradients->planes;
 
     if (depth - planes->level_depth >= planes->level_depths)
-        lim_texture_suit_level(span->texturing->scene, gradients, depth);
-    walk->place = lim_texture_packed(
-        planes->eye_uv_q16[0] + (uint32_t)over_depth(u->at + u->x * x + u->y * y, recip_q31, down),
-        (uint16_t)(planes->eye_uv_q16[1] + (uint32_t)over_depth(v->at + v->x * x + v->y * y, recip_q31, down)));
-    walk->step = lim_texture_packed(level_step(u->x, recip_q31, down, bits), level_step(v->x, recip_q31, down, bits));
-    return true;
+        lim_texture_suit_level(line->texturing->scene, line->gradients, depth);
 }
 
-static LIM_ALONE bool fill_level(const struct lim_textured_span *span, uint16_t *pixels, int32_t x, int32_t x1)
-{
-    struct lim_texture_walk walk;
+/* What all coordinates have in common in the middle of a stretch. */
+struct course {
+    int32_t recip_q31, down;
+    int32_t half_depth; /* shifted as depth is for its reciprocal */
+    int32_t q_q32, q2_q32;
+};
 
-    if (!walk_level(span, &walk)) return false;
-    span->gradients->level.step = walk.step;
-    lim_texels_paint(pixels + x, (uint_fast16_t)(x1 - x), walk.place + walk.step * (uint32_t)(x - first_px(span)),
-                     &span->gradients->level);
-    return true;
+/* Of a coordinate: where its middle is, V, and O. */
+struct course_of {
+    uint32_t at_q16;
+    int32_t even_q16, odd_q16;
+};
+
+/* A place so far away that a shift would have to go left is finer than any pixel. */
+static LIM_IN_EACH_CALLER struct course_of course_of(const struct course *course, int32_t plane, int32_t half)
+{
+    const int32_t ratio = lim_texture_part(plane, course->recip_q31);
+    const int32_t rest = (int32_t)((uint32_t)half - ((uint32_t)mul_high_s32(ratio, course->half_depth) << 2));
+    const int32_t way_q16 = lim_texture_part(rest, course->recip_q31) >> course->down;
+    const int32_t even_q16 = lim_texture_plus_part(way_q16, way_q16, course->q2_q32);
+
+    return (struct course_of){(uint32_t)(ratio >> course->down), even_q16, lim_texture_part(even_q16, course->q_q32)};
 }
 
-/* Stretches -------------------------------------------------------------------------------------------------------- */
-
-/* The planes at a pixel of the line. */
-static LIM_IN_EACH_CALLER void go_to(struct lim_texture_line *line, const struct lim_texture_planes *planes,
-                                     int32_t x_px, int32_t y_px)
+/* A whole stretch from `next` on. */
+static LIM_IN_EACH_CALLER void stretch(struct lim_texture_line *line)
 {
-    const int32_t x = 2 * x_px + 1 - line->texturing->w_px, y = 2 * y_px + 1 - line->texturing->h_px;
-
-    line->depth = planes->depth.at + planes->depth.x * x + planes->depth.y * y;
-    line->uv[0] = planes->uv[0].at + planes->uv[0].x * x + planes->uv[0].y * y;
-    line->uv[1] = planes->uv[1].at + planes->uv[1].x * x + planes->uv[1].y * y;
-}
-
-/* Where the planes have come to. A place so far away that a shift would have to go left is finer than any pixel. */
-static LIM_IN_EACH_CALLER uint32_t sample(struct lim_texture_line *line, const struct lim_texture_planes *planes)
-{
-    const uint32_t depth = (uint32_t)(line->depth < planes->depth_min ? planes->depth_min : line->depth);
+    const struct lim_texture_planes *planes = &line->gradients->planes;
+    const uint32_t twice_bits = line->bits + 1;
+    const uint32_t n_px = line->n_px & ~UINT32_C(1);
+    const int32_t twice_x = 2 * line->next + (int32_t)n_px;
+    const int32_t half_depth = (int32_t)((uint32_t)planes->depth.x * n_px);
+    const int32_t at_middle = at_twice(line->depth, planes->depth.x, twice_x);
+    const uint32_t depth = (uint32_t)(at_middle < planes->depth_min ? planes->depth_min : at_middle);
+    struct course course;
     uint8_t zeros;
-    const int32_t recip_q31 = lim_texture_reciprocal(depth, &zeros);
-    const int32_t shift = line->gradients->shift - zeros, down = shift & ~(shift >> 31);
 
-    line->seen_depth = depth;
-    line->at_q16[0] = planes->eye_uv_q16[0] + (uint32_t)(lim_texture_times(line->uv[0], recip_q31) >> down);
-    line->at_q16[1] = planes->eye_uv_q16[1] + (uint32_t)(lim_texture_times(line->uv[1], recip_q31) >> down);
+    suit_level(line, depth - (uint32_t)half_depth);
     if (LIM_HAS_STATS) line->divisions++;
-    /* (depth - depth before) / depth, doubled twice: what a stretch may have of it is a half at most. */
-    int32_t bend = line->bend;
-    __asm__("" : "+r"(bend)); /* else it is widened before the loop, and all 64 bits of the product are found */
-    return (uint32_t)lim_texture_times(bend, recip_q31) << zeros;
+    line->middle_depth = depth;
+    course.recip_q31 = lim_texture_reciprocal_part(depth, &zeros);
+    course.down = not_negative(line->gradients->shift - zeros);
+    course.half_depth = shifted_left(half_depth, zeros);
+    course.q_q32 = shifted_left(lim_texture_part(course.half_depth, course.recip_q31), 2);
+    course.q2_q32 = square_of_high(course.q_q32);
+    const struct course_of u = course_of(&course, at_twice(line->uv[0], planes->uv[0].x, twice_x),
+                                         (int32_t)((uint32_t)planes->uv[0].x * n_px));
+    const struct course_of v = course_of(&course, at_twice(line->uv[1], planes->uv[1].x, twice_x),
+                                         (int32_t)((uint32_t)planes->uv[1].x * n_px));
+    const int32_t u_even = plus_4((int32_t)n_px, u.even_q16), v_even = plus_4((int32_t)n_px, v.even_q16);
+    const uint32_t u_q16 = u.at_q16 + (planes->eye_place >> 16), v_q16 = v.at_q16 + planes->eye_place;
+
+    line->x = line->next;
+    line->middle = line->x + (int32_t)(n_px >> 1);
+    line->next = line->x + (int32_t)line->n_px;
+    if (!line->bent) {
+        line->end = line->next;
+        line->walk.place = pair_of_lows(v_q16 - (uint32_t)(v.odd_q16 >> 1), u_q16 - (uint32_t)(u.odd_q16 >> 1));
+        line->walk.step = lim_texture_packed((uint32_t)(u_even >> twice_bits), (uint32_t)(v_even >> twice_bits));
+    } else {
+        line->end = line->middle;
+        line->walk.place = pair_of_lows(v_q16 + (uint32_t)(v.odd_q16 >> 3), u_q16 + (uint32_t)(u.odd_q16 >> 3));
+        line->walk.step = lim_texture_packed((uint32_t)(plus_4(u_even, u.odd_q16) >> twice_bits),
+                                             (uint32_t)(plus_4(v_even, v.odd_q16) >> twice_bits));
+        line->step_after = lim_texture_packed((uint32_t)(less_4(u_even, u.odd_q16) >> twice_bits),
+                                              (uint32_t)(less_4(v_even, v.odd_q16) >> twice_bits));
+    }
 }
 
-static inline int32_t sum(int32_t a, int32_t b)
+static LIM_IN_EACH_CALLER void other_half(struct lim_texture_line *line)
 {
-    return (int32_t)((uint32_t)a + (uint32_t)b);
-}
-
-/* A whole stretch from `end` on. */
-static LIM_IN_EACH_CALLER void stretch(struct lim_texture_line *line, struct lim_texture_planes *planes)
-{
-    const uint32_t u = line->at_q16[0], v = line->at_q16[1];
-
-    if (line->seen_depth - planes->level_depth >= planes->level_depths)
-        lim_texture_suit_level(line->texturing->scene, line->gradients, line->seen_depth);
-    line->depth = sum(line->depth, line->depth_step);
-    line->uv[0] = sum(line->uv[0], line->uv_step[0]);
-    line->uv[1] = sum(line->uv[1], line->uv_step[1]);
-    const int32_t bend_q30 = (int32_t)sample(line, planes);
-    const int32_t half = line->n_px >> 1;
-    const int32_t u_way = (int32_t)(line->at_q16[0] - u), v_way = (int32_t)(line->at_q16[1] - v);
-    line->walk.place = lim_texture_packed(u + (uint32_t)(mul_high_s32(u_way, bend_q30) >> 1),
-                                          (uint16_t)(v + (uint32_t)(mul_high_s32(v_way, bend_q30) >> 1)));
-    line->walk.step =
-        lim_texture_packed((uint32_t)((u_way + half) >> line->bits), (uint32_t)((v_way + half) >> line->bits));
+    suit_level(line, line->middle_depth);
+    line->walk.step = line->step_after;
     line->x = line->end;
-    line->end = line->x + line->n_px;
+    line->end = line->next;
 }
 
 static LIM_IN_EACH_CALLER void begin_stretches(struct lim_texture_line *line, const struct lim_textured_span *span,
                                                int32_t x)
 {
-    struct lim_texture_planes *planes = &span->gradients->planes;
-    const int32_t left = first_px(span), w_px = width_px(span);
+    struct lim_gradients *const gradients = span->gradients;
+    const struct lim_texture_planes *const planes = &gradients->planes;
+    const int32_t left = span->left < 0 ? 0 : span->left, twice_y = 2 * span->y;
+    const int32_t right = lim_texture_lesser(span->right, span->texturing->w_px);
+    const uint32_t enough = 32u - clz_u32((uint32_t)(right - left));
+    uint32_t pace = gradients->pace;
 
     line->texturing = span->texturing;
-    line->gradients = span->gradients;
-    go_to(line, planes, left, span->y);
-    uint32_t bits = span->gradients->bits;
-    if (!bits) {
-        const int32_t right_depth = line->depth + planes->depth.x * 2 * (w_px - 1);
-        bits = lim_texture_stretch_bits(span->gradients, lim_texture_lesser(line->depth, right_depth));
-    }
+    line->gradients = gradients;
+    line->depth = at_twice(planes->depth.at, planes->depth.y, twice_y);
+    line->uv[0] = at_twice(planes->uv[0].at, planes->uv[0].y, twice_y);
+    line->uv[1] = at_twice(planes->uv[1].at, planes->uv[1].y, twice_y);
+    if (!pace)
+        pace = lim_texture_pace(gradients,
+                                at_twice(line->depth, planes->depth.x, 2 * (planes->depth.x < 0 ? right - 1 : left)));
     /* A stretch that goes on twice as far as the line is long enough. */
-    line->bits = (uint32_t)lim_texture_lesser((int32_t)bits, 32 - clz_u32((uint32_t)w_px));
-    line->n_px = (int32_t)1 << line->bits;
-    line->end = left + ((x - left) >> line->bits << line->bits);
-    if (line->end != left) go_to(line, planes, line->end, span->y);
-    line->depth_step = (int32_t)((uint32_t)planes->depth.x << line->bits << 1);
-    line->bend = line->bits ? line->depth_step : 0;
-    line->uv_step[0] = (int32_t)((uint32_t)planes->uv[0].x << line->bits << 1);
-    line->uv_step[1] = (int32_t)((uint32_t)planes->uv[1].x << line->bits << 1);
-    sample(line, planes);
-    stretch(line, planes);
+    const uint32_t own_bits = pace >> 1, bits = own_bits < enough ? own_bits : enough;
+    line->bent = pace & (own_bits <= enough);
+    line->n_px = UINT32_C(1) << bits;
+    line->bits = bits;
+    line->next = left + ((x - left) >> bits << bits);
 }
 
 void lim_texture_line_begin(struct lim_texture_line *line, const struct lim_textured_span *span, int16_t x)
 {
+    const struct lim_gradients *const gradients = span->gradients;
+
     line->divisions = 0;
-    line->x = first_px(span);
-    line->end = line->x + width_px(span);
-    if (!span->gradients->is_even) {
-        if (walk_level(span, &line->walk))
-            line->divisions++;
-        else
-            begin_stretches(line, span, x);
+    if (!gradients->is_even) {
+        begin_stretches(line, span, x);
+        stretch(line);
+        if (x >= line->end) other_half(line);
         return;
     }
-    line->walk.step = span->gradients->level.step;
-    line->walk.place = lim_texture_even_place(&span->gradients->even, line->walk.step, line->x, span->y);
+    line->x = line->middle = x;
+    line->end = span->right;
+    line->walk.step = gradients->level.step;
+    line->walk.place = lim_texture_even_place(&gradients->even, line->walk.step, x, span->y);
 }
 
 void lim_texture_line_next(struct lim_texture_line *line)
 {
-    stretch(line, &line->gradients->planes);
+    if (line->end == line->next)
+        stretch(line);
+    else
+        other_half(line);
+}
+
+/* Pixels from x to the one before `end`, or x1. Returns the first that is left. */
+static LIM_IN_EACH_CALLER int32_t fill_until(struct lim_texture_line *line, uint16_t *pixels, int32_t x, int32_t end,
+                                             int32_t x1)
+{
+    const int32_t until = lim_texture_lesser(end, x1);
+
+    line->gradients->level.step = line->walk.step;
+    lim_texels_paint(pixels + x, (uint_fast16_t)(until - x), lim_texture_place(line, x), &line->gradients->level);
+    return until;
 }
 
 uint16_t lim_texture_fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x, int32_t x1)
 {
     struct lim_texture_line line;
 
-    if (!span->gradients->planes.depth.x && fill_level(span, pixels, x, x1)) return 1;
     line.divisions = 0;
     begin_stretches(&line, span, x);
-    line.walk.place = lim_texture_place(&line, x);
-    for (;;) {
-        const int32_t end = lim_texture_lesser(line.end, x1);
-        line.gradients->level.step = line.walk.step;
-        lim_texels_paint(pixels + x, (uint_fast16_t)(end - x), line.walk.place, &line.gradients->level);
-        if (end == x1) return line.divisions;
-        x = end;
-        stretch(&line, &line.gradients->planes);
-    }
+    do {
+        stretch(&line);
+        if (line.bent) {
+            if (x < line.middle) x = fill_until(&line, pixels, x, line.middle, x1);
+            if (x == x1) break;
+            other_half(&line);
+        }
+        x = fill_until(&line, pixels, x, line.next, x1);
+    } while (x != x1);
+    return line.divisions;
 }
 
 #endif

@@ -38,6 +38,12 @@ static int16_t even_q4_of(const struct lim_texture_planes *planes, int8_t shift,
     return (int16_t)(even_q4 > INT16_MAX ? INT16_MAX : even_q4 < INT16_MIN ? INT16_MIN : even_q4);
 }
 
+/* Lines ask for pixels, counted from the screen's corner. */
+static inline void from_corner(const struct lim_texturing *texturing, struct lim_texture_plane *plane)
+{
+    plane->at = plane_at(plane, 1 - texturing->w_px, 1 - texturing->h_px);
+}
+
 void lim_texture_settle(const struct lim_texturing *texturing, const struct around *around, int8_t shift,
                         struct lim_gradients *out)
 {
@@ -52,10 +58,12 @@ void lim_texture_settle(const struct lim_texturing *texturing, const struct arou
             planes->uv[i].at >>= 1, planes->uv[i].x >>= 1, planes->uv[i].y >>= 1;
     planes->even_q4 = even_q4_of(planes, shift, change_of(planes, x, ys), out->texture->w_bits);
     out->slope_zeros = clz_u32(abs_s32(planes->depth.x) | 1);
-    const uint32_t near_bits = lim_texture_stretch_bits(out, depth + range),
-                   far_bits = lim_texture_stretch_bits(out, depth - range);
-    out->bits = near_bits == far_bits ? (uint8_t)far_bits : 0;
+    const uint32_t near_pace = lim_texture_pace(out, depth + range), far_pace = lim_texture_pace(out, depth - range);
+    out->pace = near_pace <= far_pace + 2 ? (uint8_t)far_pace : 0; /* lines that differ less are not asked */
     planes->level_depths = 0;
+    from_corner(texturing, &planes->depth);
+    from_corner(texturing, &planes->uv[0]);
+    from_corner(texturing, &planes->uv[1]);
 }
 
 void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture, uint8_t number,
@@ -74,10 +82,10 @@ static uint32_t texture_depth_of(int32_t log2_q4)
     return zeros > 31 ? 0 : (uint32_t)(log2_q4 + 16 * zeros) << 27 >> zeros;
 }
 
-/* x / 3, rounded up, for |x| < 2^14: 43691 / 2^17 is a third and 2^-18. */
+/* x / 3, rounded up, for |x| < 2^14: 43691 / 2^17 is a third and 2^-18.6, of which 2^13 / 2^17 is more than x has. */
 static inline int32_t third_up(int32_t x)
 {
-    return ((x + 2 + 3 * (1 << 13)) * 43691 >> 17) - (1 << 13);
+    return (x * 43691 + (2 * 43691 + (1 << 13))) >> 17;
 }
 
 /* Level n is shown where 16 n <= level_q4 - floor(3/2 log2) < 16 n + 16, but for the first one and the last one. */
@@ -85,7 +93,8 @@ void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients 
 {
     struct lim_texture_planes *planes = &gradients->planes;
     const uint8_t levels = gradients->texture->levels;
-    const uint8_t number = lim_texture_level_of(lim_texture_level_q4(planes->level_q4, depth, clz_u32(depth)), levels);
+    const uint8_t zeros = clz_u32(depth | 1); /* where a stretch begins depth may be anything */
+    const uint8_t number = lim_texture_level_of(lim_texture_level_q4(planes->level_q4, depth, zeros), levels);
     const int32_t from_q4 = third_up(2 * (planes->level_q4 - 16 * number - 15));
     const int32_t to_q4 = third_up(2 * (planes->level_q4 - 16 * number + 1));
     const uint32_t from = number == levels - 1 ? 0 : texture_depth_of(from_q4);

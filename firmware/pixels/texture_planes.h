@@ -6,6 +6,7 @@
 #define LIM_TEXTURE_PLANES_H
 
 #include "math/fixed.h"
+#include "math/pair.h"
 #include "stages.h"
 
 /* By how much straight lines may leave the curve of texels, in 2^-LIM_TEXTURE_OFF_BITS of a texel of the level shown.
@@ -32,10 +33,43 @@ static inline int32_t lim_texture_reciprocal(uint32_t depth, uint8_t *zeros)
     return (int32_t)((recip_q24(depth, zeros) >> 9) * 65536);
 }
 
+/* The same for lim_texture_part() alone: which of its lower bits are set does not matter. */
+static inline int32_t lim_texture_reciprocal_part(uint32_t depth, uint8_t *zeros)
+{
+    return LIM_HAS_LIMBS ? (int32_t)recip_q31_of(depth, zeros) : (int32_t)(recip_q24(depth, zeros) << 7);
+}
+
 /* floor(x r / 2^32) of such a reciprocal. */
 static inline int32_t lim_texture_times(int32_t x, int32_t recip_q31)
 {
     return LIM_HAS_LIMBS ? mul_high_s32(x, recip_q31) : mul_s32_top(x, recip_q31);
+}
+
+/* floor(x y / 2^32), of whose y draft and fast take the upper 16 bits. */
+static inline int32_t lim_texture_part(int32_t x, int32_t y)
+{
+    if (LIM_HAS_LIMBS) return mul_high_s32(x, y);
+#if LIM_DUAL_MULTIPLY && defined(__arm__)
+    int32_t product;
+    __asm__("smulwt %0, %1, %2" : "=r"(product) : "r"(x), "r"(y));
+    return product;
+#else
+    if (LIM_LONG_MULTIPLY) return mul_high_s32(x, (int32_t)((uint32_t)y & ~UINT32_C(0xFFFF)));
+    return (x >> 16) * (y >> 16) + ((x & 0xFFFF) * (y >> 16) >> 16);
+#endif
+}
+
+/* That and a. */
+static inline int32_t lim_texture_plus_part(int32_t a, int32_t x, int32_t y)
+{
+#if LIM_DUAL_MULTIPLY && defined(__arm__)
+    if (!LIM_HAS_LIMBS) {
+        int32_t sum;
+        __asm__("smlawt %0, %1, %2, %3" : "=r"(sum) : "r"(x), "r"(y), "r"(a));
+        return sum;
+    }
+#endif
+    return (int32_t)((uint32_t)a + (uint32_t)lim_texture_part(x, y));
 }
 
 /* h / depth, doubled, for lim_texture_times(). */
@@ -82,9 +116,9 @@ static inline int32_t lim_texture_lesser(int32_t a, int32_t b)
  * farther away than curves do. */
 enum { LIM_TEXTURE_MOST_BITS = 16 - LIM_TEXTURE_OFF_BITS };
 
-/* How long a stretch may be where nothing is farther away than this, where texels are closest together. None comes to
- * less than half of the depth. */
-static LIM_IN_EACH_CALLER uint32_t lim_texture_stretch_bits(const struct lim_gradients *gradients, int32_t far_depth)
+/* How long a stretch may be where nothing is farther away than this, where texels are closest together: 2^(pace / 2)
+ * pixels; if pace is odd only its halves may be even. None comes to less than half of the depth. */
+static LIM_IN_EACH_CALLER uint32_t lim_texture_pace(const struct lim_gradients *gradients, int32_t far_depth)
 {
     const struct lim_texture_planes *planes = &gradients->planes;
     const LIM_FLASH struct lim_texture *texture = gradients->texture;
@@ -92,11 +126,12 @@ static LIM_IN_EACH_CALLER uint32_t lim_texture_stretch_bits(const struct lim_gra
     const uint8_t zeros = clz_u32(depth);
     const int32_t level_q4 = lim_texture_level_q4(planes->level_q4, depth, zeros), last_q4 = (texture->levels - 1) * 16;
     const int32_t shown_q4 = level_q4 < 0 ? 0 : lim_texture_lesser(level_q4, last_q4);
-    int32_t bits = (planes->even_q4 - 2 * level_q4 + shown_q4) >> 5;
+    const int32_t even_bits = (planes->even_q4 - 2 * level_q4 + shown_q4) >> 5;
+    const int32_t most =
+        lim_texture_lesser(LIM_TEXTURE_MOST_BITS - texture->w_bits, gradients->slope_zeros - zeros - 3);
 
-    bits = lim_texture_lesser(bits, LIM_TEXTURE_MOST_BITS - texture->w_bits);
-    bits = lim_texture_lesser(bits, gradients->slope_zeros - zeros - 3);
-    return (uint32_t)(bits < 0 ? 0 : bits);
+    if (most <= 0 || even_bits < 0) return 0;
+    return (uint32_t)(even_bits < most ? 2 * even_bits + 3 : 2 * most);
 }
 
 /* lim_texels_take_level() in a function of its own; and of a polygon's that of a depth, with all that have it. */

@@ -182,8 +182,8 @@ void lim_texture_set_triangle(const struct lim_texturing *texturing, const LIM_F
         height = -height;
     }
     const int_fast16_t place_bits = take_planes(texturing, sides.places, 2, planes->uv);
-    for (uint_fast8_t c = 0; c < 2; c++)
-        planes->eye_uv_q16[c] = (uint32_t)corners[0].place[c] << (16 - texture->place_bits);
+    const uint_fast8_t up = (uint_fast8_t)(16 - texture->place_bits);
+    planes->eye_place = pair_of_lows((uint32_t)corners[0].place[1] << up, (uint32_t)corners[0].place[0] << up);
     planes->depth_min = least_depth(corners, height << sides.corner.bits);
     planes->level_q4 = level_of_sides(texturing, texture, &sides, height, depth_bits);
     lim_texture_settle(texturing, &around, (int8_t)(14 + texture->place_bits - place_bits + depth_bits), out);

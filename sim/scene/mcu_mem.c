@@ -25,13 +25,10 @@ static bool has_long_edges(const struct compile_report *report)
 size_t mcu_active_b(const struct core *core, bool has_texture, bool antialias)
 {
     const bool is_long = core->sub_bits >= MCU_LONG_EDGES_MIN_SUB_BITS;
-
-    const size_t long_samples_b = has_texture ? 0 : (size_t)MCU_ACTIVE_LONG_SAMPLES_B;
-    const size_t samples_b = is_long ? long_samples_b : (size_t)MCU_ACTIVE_SAMPLES_B;
+    const size_t samples_b = is_long ? (size_t)MCU_ACTIVE_LONG_SAMPLES_B : (size_t)MCU_ACTIVE_SAMPLES_B;
 
     return MCU_ACTIVE_B + (is_long ? (size_t)MCU_LONG_EDGES_B : 0) + (antialias ? samples_b : 0) +
-           (has_texture ? (size_t)MCU_ACTIVE_TEXTURE_B : 0) +
-           (has_texture && is_long ? (size_t)MCU_ACTIVE_TEXTURE_PADDING_B : 0);
+           (has_texture ? (size_t)MCU_ACTIVE_TEXTURE_B : 0);
 }
 
 static size_t active_b(const struct compiled *scene)

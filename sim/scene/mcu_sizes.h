@@ -19,7 +19,7 @@ enum {
     MCU_GAP_SAMPLES_B = 14, /* more of them if it can be drawn with antialiased edges */
     MCU_ACTIVE_B = 36,
     MCU_ACTIVE_SAMPLES_B = 4,      /* more of them if it can be drawn with antialiased edges */
-    MCU_ACTIVE_LONG_SAMPLES_B = 8, /* in profile exact, aligned; none if the scene has textures: that is aligned, too */
+    MCU_ACTIVE_LONG_SAMPLES_B = 8, /* in profile exact, aligned */
     MCU_LONG_EDGES_B = 28,         /* more of them in profile exact: edges of 64 bits */
     MCU_LONG_EDGES_MIN_SUB_BITS = 10,
     MCU_LAYER_B = 8,
@@ -28,9 +28,8 @@ enum {
     MCU_SORTED_B = 8,
     MCU_NEWELL_B = 20,
     MCU_CUT_B = 4,
-    MCU_ACTIVE_TEXTURE_B = 92,        /* more of them if the scene has textures */
-    MCU_ACTIVE_TEXTURE_PADDING_B = 4, /* and in profile exact: edges of 64 bits are aligned */
-    MCU_CROSSING_TEXTURE_B = 92,
+    MCU_ACTIVE_TEXTURE_B = 88, /* more of them if the scene has textures */
+    MCU_CROSSING_TEXTURE_B = 88,
     MCU_CROSSING_LONG_EDGES_B = 32, /* more of them in profile exact */
     MCU_CROSSING_B = 40,            /* and a point for each vertex */
     MCU_MESH_NEARNESS_B = 2,        /* of a vertex, and of a pixel of a line of depths */

@@ -127,7 +127,7 @@ static uint32_t add_planes(uint32_t hash, const struct lim_texture_planes *plane
 {
     hash = golden_hash(hash, &planes->depth, sizeof planes->depth);
     hash = golden_hash(hash, planes->uv, sizeof planes->uv);
-    hash = golden_hash(hash, planes->eye_uv_q16, sizeof planes->eye_uv_q16);
+    hash = add(hash, (int32_t)planes->eye_place);
     return add(add(add(hash, planes->depth_min), planes->level_q4), planes->even_q4);
 }
 
@@ -136,7 +136,7 @@ static uint32_t add_gradients(uint32_t hash, const struct lim_gradients *gradien
     if (!gradients->texture) return hash;
     hash = add(add(hash, gradients->level.number), gradients->is_even);
     if (gradients->is_even) return golden_hash(hash, &gradients->even, sizeof gradients->even);
-    return add_planes(add(add(add(hash, gradients->shift), gradients->slope_zeros), gradients->bits),
+    return add_planes(add(add(add(hash, gradients->shift), gradients->slope_zeros), gradients->pace),
                       &gradients->planes);
 }
 

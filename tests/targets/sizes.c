@@ -18,11 +18,9 @@ _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(union lim_ret
 _Static_assert(MCU_GAP_B + (LIM_HAS_ANTIALIAS ? MCU_GAP_SAMPLES_B : 0) == LIM_GAP_MEM_B, "gap");
 enum {
     HAS_LONG_EDGES = LIM_SUB_BITS >= MCU_LONG_EDGES_MIN_SUB_BITS,
-    LONG_SAMPLES_B = LIM_HAS_TEXTURE ? 0 : MCU_ACTIVE_LONG_SAMPLES_B,
-    SAMPLES_B = HAS_LONG_EDGES ? LONG_SAMPLES_B : MCU_ACTIVE_SAMPLES_B,
+    SAMPLES_B = HAS_LONG_EDGES ? MCU_ACTIVE_LONG_SAMPLES_B : MCU_ACTIVE_SAMPLES_B,
     ACTIVE_B = MCU_ACTIVE_B + (HAS_LONG_EDGES ? MCU_LONG_EDGES_B : 0) + (LIM_HAS_ANTIALIAS ? SAMPLES_B : 0) +
-               (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0) +
-               (HAS_LONG_EDGES && LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_PADDING_B : 0)
+               (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0)
 };
 _Static_assert(ACTIVE_B == sizeof(struct lim_active), "active polygon");
 _Static_assert(MCU_LAYER_B == sizeof(struct lim_layer), "transparent piece of a line");
