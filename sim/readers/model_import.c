@@ -32,6 +32,7 @@ struct result {
     bool ok;
     size_t point_count, corner_count, face_count, alpha_clamped, picture_count;
     bool has_uvs;
+    double lattice_m;
     size_t mover_count, key_count;
     char notice[sizeof((struct model *)0)->notice];
     struct error err;
@@ -114,6 +115,7 @@ _Noreturn static void run_child(const char *path, rlim_t file_b, FILE *out)
     result.alpha_clamped = model.alpha_clamped;
     result.picture_count = model.picture_count;
     result.has_uvs = model.uvs != NULL;
+    result.lattice_m = model.lattice_m;
     result.mover_count = model.mover_count;
     result.key_count = model.key_count;
     memcpy(result.notice, model.notice, sizeof result.notice);
@@ -157,6 +159,7 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     model->corner_count = result.corner_count;
     model->face_count = result.face_count;
     model->alpha_clamped = result.alpha_clamped;
+    model->lattice_m = result.lattice_m;
     model->mover_count = result.mover_count;
     model->key_count = result.key_count;
     memcpy(model->notice, result.notice, sizeof model->notice);

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which height a texture hangs from is told by a line's flags. Source: Fell, The Unofficial Doom Specs 1.666, 1994,
+ * chapter 4, and the renderer of linuxdoom (r_segs.c), for what is seen where the sky is on both sides. */
+#include "levels/level_walls.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Of clear texels: more than this share is nothing to be seen. */
+static const double MOSTLY_CLEAR = 0.97;
+
+enum { OPAQUE = 0, INVISIBLE = 255 };
+
+struct wall {
+    struct level_faces *faces;
+    const struct level *level;
+    const struct level_line *line;
+    const struct level_side *side;
+    const struct level_sector *here, *beyond; /* beyond: NULL where there is nothing */
+    struct level_vertex from, to;             /* seen from the right of that way */
+    size_t sky;
+};
+
+static int lower_of(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int higher_of(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static bool has_texture(const char *name)
+{
+    return *name && strcmp(name, "-") != 0;
+}
+
+/* Walls that run along an axis are a level darker or lighter, so that corners show. */
+static uint32_t light_of(const struct wall *wall)
+{
+    const int contrast = wall->from.y == wall->to.y ? -1 : wall->from.x == wall->to.x ? 1 : 0;
+    return level_light(wall->faces->textures, wall->here->light, contrast);
+}
+
+/* hangs: the height at which the texture's first row is. */
+static void add_rectangle(const struct wall *wall, int low, int high, double hangs, const struct level_paint *paint)
+{
+    const struct level_vertex from = wall->from, to = wall->to;
+    const double u = wall->side->x_offset, along = u + hypot(to.x - from.x, to.y - from.y);
+    const double at_low = hangs - low + wall->side->y_offset, at_high = hangs - high + wall->side->y_offset;
+    const struct level_corner corners[4] = {{from.x, from.y, low, u, at_low},
+                                            {to.x, to.y, low, along, at_low},
+                                            {to.x, to.y, high, along, at_high},
+                                            {from.x, from.y, high, u, at_high}};
+    if (high > low) level_face_add(wall->faces, corners, 4, paint);
+}
+
+static void add_sky(const struct wall *wall, int low, int high)
+{
+    add_rectangle(wall, low, high, high, &(struct level_paint){wall->sky, true, 0xFFFFFF, OPAQUE});
+}
+
+/* Without a texture Doom shows what is behind, which is mostly the floor or ceiling there: its colour stands for it. */
+static void add_plain(const struct wall *wall, int low, int high, const char *flat)
+{
+    if (level_is_sky(flat)) {
+        add_sky(wall, low, high);
+        return;
+    }
+    const size_t look = level_look(wall->faces->textures, LOOK_FLAT, flat);
+    add_rectangle(wall, low, high, high, &(struct level_paint){look, true, light_of(wall), OPAQUE});
+}
+
+static void add_part(const struct wall *wall, int low, int high, double hangs, const char *name, const char *flat)
+{
+    if (high <= low) return;
+    if (!has_texture(name)) {
+        add_plain(wall, low, high, flat);
+        return;
+    }
+    const size_t look = level_look(wall->faces->textures, LOOK_WALL, name);
+    add_rectangle(wall, low, high, hangs, &(struct level_paint){look, false, light_of(wall), OPAQUE});
+}
+
+static double height_of(const struct wall *wall, size_t look)
+{
+    const struct level_look *found = &wall->faces->textures->looks[look];
+    return found->is_known ? found->h_px : 128;
+}
+
+static void add_whole(const struct wall *wall)
+{
+    const int floor = wall->here->floor, ceiling = wall->here->ceiling;
+    double hangs = ceiling;
+    if (has_texture(wall->side->middle) && wall->line->flags & LINE_LOWER_UNPEGGED)
+        hangs = floor + height_of(wall, level_look(wall->faces->textures, LOOK_WALL, wall->side->middle));
+    add_part(wall, floor, ceiling, hangs, wall->side->middle, wall->here->floor_flat);
+}
+
+/* Returns its upper end. */
+static int add_lower(const struct wall *wall, bool is_sky)
+{
+    const int floor = wall->here->floor, high = lower_of(wall->beyond->floor, wall->here->ceiling);
+    const int top = is_sky ? wall->beyond->ceiling : wall->here->ceiling;
+    const double hangs = wall->line->flags & LINE_LOWER_UNPEGGED ? top : wall->beyond->floor;
+    add_part(wall, floor, high, hangs, wall->side->lower, wall->beyond->floor_flat);
+    return higher_of(floor, high);
+}
+
+static void add_upper(const struct wall *wall, int above, bool is_sky)
+{
+    const int low = higher_of(wall->beyond->ceiling, above), ceiling = wall->here->ceiling;
+    if (is_sky) {
+        add_sky(wall, low, ceiling);
+        return;
+    }
+    double hangs = ceiling;
+    if (has_texture(wall->side->upper) && !(wall->line->flags & LINE_UPPER_UNPEGGED))
+        hangs =
+            wall->beyond->ceiling + height_of(wall, level_look(wall->faces->textures, LOOK_WALL, wall->side->upper));
+    add_part(wall, low, ceiling, hangs, wall->side->upper, wall->beyond->ceiling_flat);
+}
+
+/* What hangs in an opening: one texture high, and no higher than the opening. Where texels are clear it is a pane. */
+static void add_masked(const struct wall *wall)
+{
+    if (!has_texture(wall->side->middle)) return;
+    const size_t look = level_look(wall->faces->textures, LOOK_WALL, wall->side->middle);
+    const struct level_look *found = &wall->faces->textures->looks[look];
+    const int floor = higher_of(wall->here->floor, wall->beyond->floor);
+    const int ceiling = lower_of(wall->here->ceiling, wall->beyond->ceiling);
+    const int height = (int)height_of(wall, look);
+    const int hangs = (wall->line->flags & LINE_LOWER_UNPEGGED ? floor + height : ceiling) + wall->side->y_offset;
+    if (!found->is_known || found->clear > MOSTLY_CLEAR) return;
+    const struct level_paint paint = {look, false, light_of(wall), (uint8_t)(INVISIBLE * found->clear + 0.5)};
+    add_rectangle(wall, higher_of(floor, hangs - height), lower_of(ceiling, hangs), hangs - wall->side->y_offset,
+                  &paint);
+}
+
+static void add_side(const struct wall *wall)
+{
+    if (wall->here->ceiling <= wall->here->floor) return;
+    if (!wall->beyond) {
+        add_whole(wall);
+        return;
+    }
+    const bool is_sky = level_is_sky(wall->here->ceiling_flat) && level_is_sky(wall->beyond->ceiling_flat);
+    add_upper(wall, add_lower(wall, is_sky), is_sky);
+    add_masked(wall);
+}
+
+static const struct level_sector *sector_of(const struct level *level, uint16_t side)
+{
+    return side == LEVEL_NO_SIDE ? NULL : &level->sectors[level->sides[side].sector];
+}
+
+void level_walls_add(const struct level *level, size_t sky, struct level_faces *faces)
+{
+    for (size_t i = 0; i < level->line_count; i++) {
+        const struct level_line *line = &level->lines[i];
+        const struct level_vertex ends[2] = {level->vertices[line->from], level->vertices[line->to]};
+        if (ends[0].x == ends[1].x && ends[0].y == ends[1].y) continue;
+        for (int k = 0; k < 2; k++)
+            if (line->sides[k] != LEVEL_NO_SIDE)
+                add_side(&(struct wall){.faces = faces,
+                                        .level = level,
+                                        .line = line,
+                                        .side = &level->sides[line->sides[k]],
+                                        .here = sector_of(level, line->sides[k]),
+                                        .beyond = sector_of(level, line->sides[1 - k]),
+                                        .from = ends[k],
+                                        .to = ends[1 - k],
+                                        .sky = sky});
+    }
+}

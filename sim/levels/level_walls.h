@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Walls: what a line's sides show above, below and between the sectors beside it. */
+#ifndef SIM_LEVEL_WALLS_H
+#define SIM_LEVEL_WALLS_H
+
+#include "levels/level.h"
+#include "levels/level_faces.h"
+
+/* sky: the index of the look of the sky's texture. */
+void level_walls_add(const struct level *level, size_t sky, struct level_faces *faces);
+
+static inline bool level_is_sky(const char *flat)
+{
+    for (const char *sky = LEVEL_SKY_FLAT; *sky || *flat; sky++, flat++)
+        if (*sky != *flat) return false;
+    return true;
+}
+
+#endif
