@@ -18,9 +18,9 @@ enum {
     SIDE_MAX_PX = TEXTURE_SIDE_MAX_PX
 };
 
-/* Doom makes light fall off with distance, by rows of the colour map. What is baked is light at some 160 units: a row
+/* Doom makes light fall off with distance, by rows of the colour map. What is baked is light at 80 units: a row
  * of its table is (15 - level) * 4 - 1280 / distance (linuxdoom, r_main.c). */
-enum { LIGHT_LEVELS = 16, ROWS_A_LEVEL = 4, ROWS_NEARER = 8, LIGHT_SHIFT = 4 };
+enum { LIGHT_LEVELS = 16, ROWS_A_LEVEL = 4, ROWS_NEARER = 16, LIGHT_SHIFT = 4 };
 
 /* Colours ------------------------------------------------------------------------------------ */
 
