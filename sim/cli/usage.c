@@ -87,6 +87,8 @@ static const struct usage_command COMMANDS[] = {
     {"report", "MODEL -o FILE.html",
      "Writes a page: views, wrong pixels, what each stage costs, memory, the tree, the worst frames, what to do next.",
      "limner report house.obj -o house.html"},
+    {"wad", "FILE.wad", "Lists a WAD's maps, each of which is a MODEL: FILE.wad:MAP, or IWAD.wad+PWAD.wad:MAP.",
+     "limner wad freedoom1.wad"},
 };
 
 static const struct usage_entry ENTRIES[] = {

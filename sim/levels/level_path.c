@@ -28,3 +28,21 @@ bool level_path_parse(const char *path, struct level_path *out)
     wad_name_of_text(*tail ? tail + 1 : tail, out->map);
     return true;
 }
+
+int level_path_stem(const char *path, char *name, size_t size_b)
+{
+    struct level_path level;
+    if (level_path_parse(path, &level) && *level.map) return snprintf(name, size_b, "%s", level.map);
+    const char *slash = strrchr(path, '/'), *file = slash ? slash + 1 : path, *dot = strrchr(file, '.');
+    return snprintf(name, size_b, "%.*s", dot ? (int)(dot - file) : (int)strlen(file), file);
+}
+
+bool level_path_spare(struct outputs *outputs, const char *path, struct error *err)
+{
+    struct level_path level;
+    char file[WAD_PATH_B];
+    if (!level_path_parse(path, &level)) return outputs_spare(outputs, path, err);
+    for (size_t i = 0; wad_path_at(level.files, i, file); i++)
+        if (!outputs_spare(outputs, file, err)) return false;
+    return true;
+}
