@@ -275,7 +275,7 @@ static bool check_size(const struct compilation *work, struct error *err)
         const size_t extra = polygon->transparency > 0;
         if (corners >= 3) words += (LIM_POLYGON_HEAD_WORDS + corners + extra) * (polygon->two_sided ? 2 : 1);
     }
-    return encoding_check_count(words, "words of polygons with textures", err);
+    return encoding_check_textured(words, err);
 }
 
 static unsigned side_or_default(unsigned side_px)

@@ -284,18 +284,11 @@ static void nodes_encode(struct encoder *work, const uint32_t *heirs)
     free(numbers);
 }
 
-static bool check_textured(size_t words, struct error *err)
-{
-    struct error why;
-    return encoding_check_count(words, "words of polygons with textures", &why) ||
-           error_set(err, "%s; --no-textures does without", why.text);
-}
-
 /* BSP_PIECES_MAX keeps everything else far below what 32 bits count. */
 static bool check_counts(const struct encoding *out, struct error *err)
 {
     if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
-    if (out->textures.texture_count && !check_textured(out->word_count, err)) return false;
+    if (out->textures.texture_count && !encoding_check_textured(out->word_count, err)) return false;
     return encoding_check_count(out->depth, "levels of the tree", err) && texture_arrays_check(&out->textures, err);
 }
 
