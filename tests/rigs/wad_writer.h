@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { WAD_WRITER_B = 1 << 18, WAD_WRITER_LUMPS = 64, WAD_MAP_MOST = 64, WAD_NO_SIDE = 0xFFFF };
+enum { WAD_WRITER_B = 1 << 18, WAD_WRITER_LUMPS = 64, WAD_MAP_MOST = 128, WAD_NO_SIDE = 0xFFFF };
 
 struct wad_writer {
     uint8_t bytes[WAD_WRITER_B];
