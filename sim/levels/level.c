@@ -68,11 +68,11 @@ static const uint8_t *records(const struct reading *reading, const char *name, s
     }
     if (!wad_lump_is_whole(reading->wad, lump, reading->err)) return NULL;
     *count = lump->size_b / record_b;
-    if (*count == 0)
-        error_set(reading->err, "%s: %s: lump %s: it is empty", path, map, name);
-    else if (lump->size_b % record_b)
+    if (lump->size_b % record_b)
         error_set(reading->err, "%s: %s: lump %s: truncated: its %zu bytes are no records of %zu", path, map, name,
                   lump->size_b, record_b);
+    else if (*count == 0)
+        error_set(reading->err, "%s: %s: lump %s: it is empty", path, map, name);
     else if (*count > RECORDS_MAX)
         error_set(reading->err, "%s: %s: lump %s: %zu records, %d are the most", path, map, name, *count, RECORDS_MAX);
     else

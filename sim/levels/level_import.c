@@ -65,12 +65,12 @@ static void note_sectors(const struct level_sectors *sectors, struct model *mode
 {
     char text[128];
     if (sectors->crossing_count) {
-        snprintf(text, sizeof text, "LINEDEFS: %zu cross others, number %u among them: floors there follow the others",
+        snprintf(text, sizeof text, "lines that cross others: %zu, LINEDEFS %u among them; floors follow the others",
                  sectors->crossing_count, sectors->first_crossing);
         model_note(model, text);
     }
     if (sectors->open_count) {
-        snprintf(text, sizeof text, "SECTORS: %zu are not closed by lines, number %u among them: they end somewhere",
+        snprintf(text, sizeof text, "sectors that no lines close: %zu, SECTORS %u among them; they end somewhere",
                  sectors->open_count, sectors->first_open);
         model_note(model, text);
     }
@@ -80,12 +80,12 @@ static void note_textures(const struct level_textures *textures, struct model *m
 {
     char text[128];
     if (textures->unknown_count) {
-        snprintf(text, sizeof text, "%zu textures are missing, %s among them: what shows them is grey",
+        snprintf(text, sizeof text, "textures that are missing: %zu, %s among them; grey instead",
                  textures->unknown_count, textures->unknown);
         model_note(model, text);
     }
     if (textures->broken_count) {
-        snprintf(text, sizeof text, "%zu parts of textures are broken or missing, %s of %s among them",
+        snprintf(text, sizeof text, "parts of textures that are broken or missing: %zu, %s of %s among them",
                  textures->broken_count, textures->broken_part, textures->broken);
         model_note(model, text);
     }
@@ -116,7 +116,9 @@ static bool import(const struct wad *wad, const char *map, bool is_textured, str
     struct level level;
     struct level_textures textures = {0};
     if (!level_read(wad, map, &level, err)) return false;
-    const bool ok = level_textures_open(wad, &textures, err) && add_faces(&level, is_textured, &textures, model, err);
+    bool ok = level_textures_open(wad, &textures, err);
+    if (ok && !add_faces(&level, is_textured, &textures, model, err))
+        ok = error_prefix(err, wad->paths[wad->file_count - 1]);
     level_textures_close(&textures);
     level_free(&level);
     return ok;
