@@ -5,7 +5,6 @@
 #include "cli/usage.h"
 
 #include "cli/fly.h"
-#include "cli/usage_table.h"
 
 #include <string.h>
 

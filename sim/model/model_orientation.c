@@ -88,7 +88,7 @@ static const char MOSTLY_Z[] = "z is up, as in most files of that kind; --up y, 
 static bool is_z_up(const struct orientation *orientation, enum up_custom custom, struct model *model)
 {
     if (orientation->up != UP_BY_EVIDENCE) return orientation->up == UP_Z;
-    if (custom == CUSTOM_ALWAYS_Z) return true;
+    if (custom == CUSTOM_ALWAYS_Y || custom == CUSTOM_ALWAYS_Z) return custom == CUSTOM_ALWAYS_Z;
     const int axis = stands_on(model);
     if (custom == CUSTOM_Y && axis == 2) model_note(model, "it stands on its least z: --up z, if it lies on its back");
     if (custom == CUSTOM_Y) return false;

@@ -6,8 +6,8 @@
 #include "levels/level_path.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
-#include "rigs/level_rig.h"
 #include "rigs/random.h"
+#include "unit/levels/level_rig.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "rigs/wad_writer.h"
+#include "unit/levels/wad_writer.h"
 
 #include <stdio.h>
 #include <stdlib.h>

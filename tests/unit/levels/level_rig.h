@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * Maps of small WADs in a folder of the test's own, and faces of the models that they become. */
-#ifndef RIGS_LEVEL_RIG_H
-#define RIGS_LEVEL_RIG_H
+#ifndef LEVELS_LEVEL_RIG_H
+#define LEVELS_LEVEL_RIG_H
 
 #include "model/model.h"
-#include "rigs/wad_writer.h"
+#include "unit/levels/wad_writer.h"
 
 extern struct wad_writer level_wad;
 extern struct wad_map level_map; /* the map being made; empty after level_begin() */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "rigs/level_rig.h"
+#include "unit/levels/level_rig.h"
 
 #include "levels/level_import.h"
 #include "rigs/cmocka_ready.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Writes small WADs: lumps, maps, textures. Nothing is checked, so that broken ones can be written, too. */
-#ifndef RIGS_WAD_WRITER_H
-#define RIGS_WAD_WRITER_H
+#ifndef LEVELS_WAD_WRITER_H
+#define LEVELS_WAD_WRITER_H
 
 #include <stddef.h>
 #include <stdint.h>

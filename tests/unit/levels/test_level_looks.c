@@ -3,7 +3,7 @@
  * What walls and flats of small WADs show, and how light they are. The numbers are worked out by hand from the format's
  * description. */
 #include "rigs/cmocka_ready.h"
-#include "rigs/level_rig.h"
+#include "unit/levels/level_rig.h"
 
 #include <math.h>
 #include <string.h>
