@@ -437,7 +437,7 @@ test-programs: $(test_programs) ## [test] build the unit tests without running t
 
 # -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive/exhaustive.h, tests/fuzz/fuzz.h -----------------
 
-FUZZ_TARGETS := camera camera_file lim_file render features mesh movers obj gltf ply stl off picture wire_log qemu vcd text written report
+FUZZ_TARGETS := camera camera_file lim_file render features mesh movers obj gltf ply stl off picture wire_log qemu vcd text written report wad
 FUZZ_FLAGS   := -max_total_time=60
 FUZZ_S       := 0
 export FUZZ_FLAGS FUZZ_S
@@ -458,7 +458,7 @@ $(BUILD)/tests/exhaustive: $(call object,tests/exhaustive/main.c tests/exhaustiv
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
-fuzz_objects := $(call object,$(filter-out tests/fuzz/test_%,$(wildcard tests/fuzz/*.c)) tests/rigs/closed_scene.c)
+fuzz_objects := $(call object,$(filter-out tests/fuzz/test_%,$(wildcard tests/fuzz/*.c)) tests/rigs/closed_scene.c tests/unit/levels/wad_writer.c)
 
 $(BUILD)/tests/fuzz: $(call object,tests/fuzz/libfuzzer/main.c) $(fuzz_objects) $(library)
 	@mkdir -p $(@D)

@@ -179,7 +179,7 @@ void orientation_apply(const struct orientation *orientation, enum up_custom cus
     else if (is_z_up(orientation, custom, model))
         turn_up(model);
     if (orientation->reverse_faces) reverse_faces(model);
-    note_winding(orientation, model);
+    if (custom != CUSTOM_ALWAYS_Y) note_winding(orientation, model);
     for (size_t i = 0; i < model->face_count && orientation->two_sided; i++)
         model->faces[i].two_sided = true;
 }
