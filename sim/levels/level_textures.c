@@ -210,11 +210,11 @@ size_t level_look(struct level_textures *textures, enum level_look_kind kind, co
     textures->looks = grow(textures->looks, textures->look_count, &textures->look_capacity, sizeof *textures->looks);
     struct level_look *look = &textures->looks[textures->look_count++];
     *look = (struct level_look){.kind = kind};
-    memcpy(look->name, name, WAD_NAME_B);
+    wad_name_of_text(name, look->name);
     const uint8_t *texture = kind == LOOK_WALL ? find_in(textures->lists[0], name) : NULL;
     if (!texture && kind == LOOK_WALL) texture = find_in(textures->lists[1], name);
     if (texture) compose(textures, texture, look);
     if (kind == LOOK_FLAT) find_flat(textures, look);
-    if (!look->is_known && !textures->unknown_count++) memcpy(textures->unknown, name, WAD_NAME_B);
+    if (!look->is_known && !textures->unknown_count++) memcpy(textures->unknown, look->name, WAD_NAME_B);
     return textures->look_count - 1;
 }
