@@ -42,7 +42,7 @@ all: $(BUILD)/limner ## [start] build the host program, build/limner (the defaul
 
 help: ## [care] list the goals
 	@awk -f sim/tools/help.awk Makefile boards/image.mk
-	@printf '\nSuites of make test: %s.\nOn demand: slow (what is slow and seldom finds anything; proofs are among it), arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), sanitize, models, boards and compilers with SEED=all (else a half), sub-bits (profiles with other ones), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
+	@printf '\nSuites of make test: %s.\nOn demand: slow (what is slow and seldom finds anything; proofs are among it), arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), sanitize, models, boards and compilers with SEED=all (else a half), sub-bits (profiles with other ones), levels (all maps of Freedoom; LEVELS="E1M1 MAP01": these), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
@@ -70,6 +70,7 @@ packages-sub-bits      := $(packages-host) $(packages-arm) gcc-riscv64-unknown-e
 packages-extremes      := $(packages-host)
 packages-prove         := frama-c-base why3 z3
 packages-slow          = $(foreach suite,arm cpus boards export cross sanitize prove,$(packages-$(suite)))
+packages-levels        := freedoom $(packages-arm)
 packages-fuzz          := clang libclang-rt-dev
 packages-mutate        := $(packages-host)
 packages-fuzz-coverage := $(packages-fuzz)
@@ -350,6 +351,7 @@ suite-sanitize  := $(wildcard tests/sanitize*.sh)
 suite-models    := tests/models.sh
 suite-features  := tests/features_gcc.sh tests/features_clang.sh
 suite-sub-bits  := tests/sub_bits.sh
+suite-levels    := tests/levels.sh
 suite-prove     := tests/prove.sh
 suite-format    := tests/format.sh tests/rooms.sh tests/pointers.sh
 suite-kernel    := tests/kernel.sh
@@ -395,8 +397,8 @@ tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
 tests/foreign.sh: tests-kernel $(kernel_programs) $(BUILD)/tests/foreign/card
 
-unknown := $(filter-out $(ALL_SUITES) slow prove arm64 fixed features sub-bits extremes soak,$(suites))
-$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits extremes))
+unknown := $(filter-out $(ALL_SUITES) slow prove arm64 fixed features sub-bits levels extremes soak,$(suites))
+$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits levels extremes))
 
 # By itself it draws all frames, in all suites a part of them.
 ifeq ($(suites),extremes)
