@@ -69,6 +69,11 @@ static void note_sectors(const struct level_sectors *sectors, struct model *mode
                  sectors->crossing_count, sectors->first_crossing);
         model_note(model, text);
     }
+    if (sectors->astray_count) {
+        snprintf(text, sizeof text, "lines that name a sector which is not there: %zu, LINEDEFS %u among them",
+                 sectors->astray_count, sectors->first_astray);
+        model_note(model, text);
+    }
     if (sectors->open_count) {
         snprintf(text, sizeof text, "sectors that no lines close: %zu, SECTORS %u among them; they end somewhere",
                  sectors->open_count, sectors->first_open);
@@ -101,7 +106,7 @@ static bool add_faces(const struct level *level, bool is_textured, struct level_
     if (!level_sectors_make(level, &sectors, err)) return false;
     importing.sky = level_look(textures, LOOK_WALL, sky_name(level->name));
     level_sectors_each(&sectors, add_polygon, &importing);
-    level_walls_add(level, importing.sky, &importing.faces);
+    level_walls_add(level, &sectors, importing.sky, &importing.faces);
     model->lattice_m = 1.0 / LEVEL_UNITS_A_M;
     note_sectors(&sectors, model);
     note_textures(textures, model);

@@ -1,22 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * A line says which sectors lie beside it. From the triangles along lines that spreads over those that no line parts
- * from them, nearest first: where a map is closed, as nearly all are, this is the only answer, and where it is not,
- * each place gets the sector of a line near it. Triangles are joined as long as what comes out is convex (Hertel and
- * Mehlhorn 1983). */
+ * The map's vertices become points, its lines edges between them (level_triangles.h), and each triangle gets a sector
+ * (level_regions.h). Those of a sector are joined as long as what comes out is convex (Hertel and Mehlhorn 1983). */
 #include "levels/level_sectors.h"
 
 #include "base/grow.h"
+#include "levels/level_regions.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static const uint32_t UNKNOWN = UINT32_MAX - 1;
-
-struct spread {
-    uint32_t *queue; /* triangles */
-    size_t first, count;
-};
 
 /* Points ------------------------------------------------------------------------------------- */
 
@@ -87,95 +79,6 @@ static void fix_lines(const struct level *level, struct level_sectors *sectors)
         if (!sectors->crossing_count++) sectors->first_crossing = i;
     }
     triangles_settle(&sectors->triangles);
-}
-
-static uint32_t sector_beside(const struct level *level, uint16_t side)
-{
-    return side == LEVEL_NO_SIDE ? LEVEL_VOID : level->sides[side].sector;
-}
-
-static void begin(struct level_sectors *sectors, struct spread *spread, uint32_t triangle, uint32_t sector)
-{
-    if (sectors->sector_of[triangle] != UNKNOWN) return;
-    sectors->sector_of[triangle] = sector;
-    spread->queue[spread->count++] = triangle;
-}
-
-static void begin_at_line(const struct level *level, const struct level_line *line, struct level_sectors *sectors,
-                          struct spread *spread)
-{
-    const struct triangles *triangles = &sectors->triangles;
-    uint32_t from = sectors->points[line->from];
-    const uint32_t to = sectors->points[line->to];
-    while (from != to) {
-        const uint32_t half = triangles_along(triangles, from, to);
-        if (half == TRIANGLES_NONE || !triangles->is_fixed[half]) return;
-        begin(sectors, spread, triangles->twin[half] / 3, sector_beside(level, line->sides[0]));
-        begin(sectors, spread, half / 3, sector_beside(level, line->sides[1]));
-        from = triangles->origin[half_next(half)];
-    }
-}
-
-/* What touches the frame is outside of all. */
-static void begin_at_frame(struct level_sectors *sectors, struct spread *spread)
-{
-    for (uint32_t half = 0; half < sectors->triangles.half_count; half++)
-        if (sectors->triangles.origin[half] < TRIANGLES_FRAME) begin(sectors, spread, half / 3, LEVEL_VOID);
-}
-
-static void spread_on(struct level_sectors *sectors, struct spread *spread)
-{
-    const struct triangles *triangles = &sectors->triangles;
-    while (spread->first < spread->count) {
-        const uint32_t triangle = spread->queue[spread->first++];
-        for (uint32_t half = 3 * triangle; half < 3 * triangle + 3; half++) {
-            const uint32_t twin = triangles->twin[half];
-            if (twin != TRIANGLES_NONE && !triangles->is_fixed[half])
-                begin(sectors, spread, twin / 3, sectors->sector_of[triangle]);
-        }
-    }
-}
-
-static int by_number(const void *left, const void *right)
-{
-    const uint32_t *a = left, *b = right;
-    return (*a > *b) - (*a < *b);
-}
-
-/* Sectors beside another one, or the void, without a line between them. */
-static void count_open(const struct level *level, struct level_sectors *sectors)
-{
-    const struct triangles *triangles = &sectors->triangles;
-    uint32_t *open = grow_zeroed(triangles->half_count, sizeof *open);
-    size_t count = 0;
-    for (uint32_t half = 0; half < triangles->half_count; half++) {
-        const uint32_t twin = triangles->twin[half];
-        if (twin == TRIANGLES_NONE || triangles->is_fixed[half]) continue;
-        const uint32_t here = sectors->sector_of[half / 3];
-        if (here < level->sector_count && here != sectors->sector_of[twin / 3]) open[count++] = here;
-    }
-    qsort(open, count, sizeof *open, by_number);
-    for (size_t i = 0; i < count; i++)
-        sectors->open_count += i == 0 || open[i] != open[i - 1];
-    if (count) sectors->first_open = open[0];
-    free(open);
-}
-
-static void find_sectors(const struct level *level, struct level_sectors *sectors)
-{
-    const uint32_t count = sectors->triangles.half_count / 3;
-    struct spread spread = {.queue = grow_zeroed(count, sizeof *spread.queue)};
-    sectors->sector_of = grow_zeroed(count, sizeof *sectors->sector_of);
-    for (uint32_t i = 0; i < count; i++)
-        sectors->sector_of[i] = UNKNOWN;
-    begin_at_frame(sectors, &spread);
-    for (size_t i = 0; i < level->line_count; i++)
-        begin_at_line(level, &level->lines[i], sectors, &spread);
-    spread_on(sectors, &spread);
-    for (uint32_t i = 0; i < count; i++)
-        if (sectors->sector_of[i] == UNKNOWN) sectors->sector_of[i] = LEVEL_VOID;
-    free(spread.queue);
-    count_open(level, sectors);
 }
 
 /* Polygons ----------------------------------------------------------------------------------- */
@@ -288,7 +191,7 @@ bool level_sectors_make(const struct level *level, struct level_sectors *out, st
     *out = (struct level_sectors){.points = grow_zeroed(level->vertex_count, sizeof *out->points)};
     make_points(level, out);
     fix_lines(level, out);
-    find_sectors(level, out);
+    level_regions_find(level, out);
     join_triangles(out);
     for (uint32_t i = 0; i < out->triangles.half_count / 3; i++)
         if (out->sector_of[i] != LEVEL_VOID) return true;

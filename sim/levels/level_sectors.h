@@ -17,9 +17,11 @@ struct level_sectors {
     uint32_t *before;
     bool *is_inside;       /* of each half-edge: no border of its polygon */
     uint32_t *points;      /* of each vertex of the map that a line has; others: TRIANGLES_NONE */
-    size_t crossing_count; /* lines that cross others */
+    size_t crossing_count; /* lines that cross others, and end there */
     uint32_t first_crossing;
-    size_t open_count; /* sectors that nothing closes off from others that are beside them, or from the void */
+    size_t astray_count; /* lines that name a sector which does not lie beside them */
+    uint32_t first_astray;
+    size_t open_count; /* sectors that no lines close off from what is outside of the map */
     uint32_t first_open;
 };
 

@@ -19,6 +19,7 @@ struct wall {
     const struct level_side *side;
     const struct level_sector *here, *beyond; /* beyond: NULL where there is nothing */
     struct level_vertex from, to;             /* seen from the right of that way */
+    double along;                             /* how far from the line's beginning, on this side, that is */
     size_t sky;
 };
 
@@ -48,7 +49,7 @@ static uint32_t light_of(const struct wall *wall)
 static void add_rectangle(const struct wall *wall, int low, int high, double hangs, const struct level_paint *paint)
 {
     const struct level_vertex from = wall->from, to = wall->to;
-    const double u = wall->side->x_offset, along = u + hypot(to.x - from.x, to.y - from.y);
+    const double u = wall->along + wall->side->x_offset, along = u + hypot(to.x - from.x, to.y - from.y);
     const double at_low = hangs - low + wall->side->y_offset, at_high = hangs - high + wall->side->y_offset;
     const struct level_corner corners[4] = {{from.x, from.y, low, u, at_low},
                                             {to.x, to.y, low, along, at_low},
@@ -151,27 +152,141 @@ static void add_side(const struct wall *wall)
     add_masked(wall);
 }
 
-static const struct level_sector *sector_of(const struct level *level, uint16_t side)
+/* Lines -------------------------------------------------------------------------------------- */
+
+struct adding {
+    const struct level *level;
+    const struct level_sectors *sectors;
+    struct level_faces *faces;
+    size_t sky;
+};
+
+static const struct level_side NO_SIDE = {.upper = "-", .lower = "-", .middle = "-"};
+
+static const struct level_sector *sector_of(const struct adding *adding, uint32_t number)
 {
-    return side == LEVEL_NO_SIDE ? NULL : &level->sectors[level->sides[side].sector];
+    return number == LEVEL_VOID ? NULL : &adding->level->sectors[number];
 }
 
-void level_walls_add(const struct level *level, size_t sky, struct level_faces *faces)
+/* What a line says: the sector on one of its sides. */
+static uint32_t said_sector(const struct level *level, const struct level_line *line, int k)
 {
-    for (size_t i = 0; i < level->line_count; i++) {
-        const struct level_line *line = &level->lines[i];
-        const struct level_vertex ends[2] = {level->vertices[line->from], level->vertices[line->to]};
-        if (ends[0].x == ends[1].x && ends[0].y == ends[1].y) continue;
-        for (int k = 0; k < 2; k++)
-            if (line->sides[k] != LEVEL_NO_SIDE)
-                add_side(&(struct wall){.faces = faces,
-                                        .level = level,
-                                        .line = line,
-                                        .side = &level->sides[line->sides[k]],
-                                        .here = sector_of(level, line->sides[k]),
-                                        .beyond = sector_of(level, line->sides[1 - k]),
-                                        .from = ends[k],
-                                        .to = ends[1 - k],
-                                        .sky = sky});
+    return line->sides[k] == LEVEL_NO_SIDE ? LEVEL_VOID : level->sides[line->sides[k]].sector;
+}
+
+/* What there is: beside an edge to the right, and to the left. */
+static void sectors_beside(const struct adding *adding, uint32_t half, uint32_t out[2])
+{
+    out[0] = adding->sectors->sector_of[adding->sectors->triangles.twin[half] / 3];
+    out[1] = adding->sectors->sector_of[half / 3];
+}
+
+static struct level_vertex place_of(const struct adding *adding, uint32_t point)
+{
+    const int32_t *at = adding->sectors->triangles.points[point];
+    return (struct level_vertex){at[0], at[1]};
+}
+
+static double distance(struct level_vertex a, struct level_vertex b)
+{
+    return hypot(b.x - a.x, b.y - a.y);
+}
+
+/* NULL behind a line of one side, whatever lies there. */
+static const struct level_sector *beyond(const struct adding *adding, const struct level_line *line,
+                                         const uint32_t beside[2], int k)
+{
+    const bool is_whole = line->sides[1 - k] == LEVEL_NO_SIDE && beside[0] == beside[1];
+    return is_whole ? NULL : sector_of(adding, beside[1 - k]);
+}
+
+/* Both sides of a line, or of a part of it; of one that names no side only what has to be there. */
+static void add_sides(const struct adding *adding, const struct level_line *line, const struct level_vertex ends[2],
+                      const uint32_t beside[2])
+{
+    const struct level *level = adding->level;
+    const struct level_vertex begins[2] = {level->vertices[line->from], level->vertices[line->to]};
+    for (int k = 0; k < 2; k++) {
+        const bool is_named = line->sides[k] != LEVEL_NO_SIDE;
+        if (beside[k] == LEVEL_VOID || (!is_named && beside[0] == beside[1])) continue;
+        add_side(&(struct wall){.faces = adding->faces,
+                                .level = level,
+                                .line = line,
+                                .side = is_named ? &level->sides[line->sides[k]] : &NO_SIDE,
+                                .here = sector_of(adding, beside[k]),
+                                .beyond = beyond(adding, line, beside, k),
+                                .from = ends[k],
+                                .to = ends[1 - k],
+                                .along = distance(begins[k], ends[k]),
+                                .sky = adding->sky});
     }
+}
+
+/* The next edge on a line; TRIANGLES_NONE: the line is over, or ends at another one. */
+static uint32_t next_edge(const struct adding *adding, uint32_t from, uint32_t to)
+{
+    const struct triangles *triangles = &adding->sectors->triangles;
+    const uint32_t half = from == to ? TRIANGLES_NONE : triangles_along(triangles, from, to);
+    return half != TRIANGLES_NONE && triangles->is_fixed[half] ? half : TRIANGLES_NONE;
+}
+
+static bool is_as_said(const struct adding *adding, const struct level_line *line)
+{
+    const struct triangles *triangles = &adding->sectors->triangles;
+    const uint32_t to = adding->sectors->points[line->to];
+    uint32_t from = adding->sectors->points[line->from], beside[2];
+    for (uint32_t half; (half = next_edge(adding, from, to)) != TRIANGLES_NONE;) {
+        sectors_beside(adding, half, beside);
+        for (int k = 0; k < 2; k++)
+            if (beside[k] != said_sector(adding->level, line, k)) return false;
+        from = triangles->origin[half_next(half)];
+    }
+    return from == to;
+}
+
+/* A line that is as it says is whole, even if others end on it. */
+static void add_line(const struct adding *adding, const struct level_line *line)
+{
+    const struct level *level = adding->level;
+    const struct triangles *triangles = &adding->sectors->triangles;
+    const uint32_t to = adding->sectors->points[line->to];
+    uint32_t from = adding->sectors->points[line->from];
+    if (is_as_said(adding, line)) {
+        const uint32_t said[2] = {said_sector(level, line, 0), said_sector(level, line, 1)};
+        const struct level_vertex ends[2] = {level->vertices[line->from], level->vertices[line->to]};
+        add_sides(adding, line, ends, said);
+        return;
+    }
+    for (uint32_t half; (half = next_edge(adding, from, to)) != TRIANGLES_NONE;) {
+        uint32_t beside[2];
+        sectors_beside(adding, half, beside);
+        const uint32_t next = triangles->origin[half_next(half)];
+        const struct level_vertex ends[2] = {place_of(adding, from), place_of(adding, next)};
+        add_sides(adding, line, ends, beside);
+        from = next;
+    }
+}
+
+/* Where sectors meet without a line. */
+static void add_open(const struct adding *adding, uint32_t half)
+{
+    static const struct level_line none = {.sides = {LEVEL_NO_SIDE, LEVEL_NO_SIDE}};
+    const struct triangles *triangles = &adding->sectors->triangles;
+    const struct level_vertex ends[2] = {place_of(adding, triangles->origin[half]),
+                                         place_of(adding, triangles->origin[half_next(half)])};
+    uint32_t beside[2];
+    sectors_beside(adding, half, beside);
+    if (beside[0] != beside[1]) add_sides(adding, &none, ends, beside);
+}
+
+void level_walls_add(const struct level *level, const struct level_sectors *sectors, size_t sky,
+                     struct level_faces *faces)
+{
+    const struct adding adding = {level, sectors, faces, sky};
+    const struct triangles *triangles = &sectors->triangles;
+    for (size_t i = 0; i < level->line_count; i++)
+        add_line(&adding, &level->lines[i]);
+    for (uint32_t half = 0; half < triangles->half_count; half++)
+        if (triangles->twin[half] != TRIANGLES_NONE && half < triangles->twin[half] && !triangles->is_fixed[half])
+            add_open(&adding, half);
 }

@@ -6,9 +6,12 @@
 
 #include "levels/level.h"
 #include "levels/level_faces.h"
+#include "levels/level_sectors.h"
 
-/* sky: the index of the look of the sky's texture. */
-void level_walls_add(const struct level *level, size_t sky, struct level_faces *faces);
+/* Between the sectors that there are (level_sectors.h), also where lines say otherwise or there is none, so that
+ * nothing is open. sky: the index of the look of the sky's texture. */
+void level_walls_add(const struct level *level, const struct level_sectors *sectors, size_t sky,
+                     struct level_faces *faces);
 
 static inline bool level_is_sky(const char *flat)
 {

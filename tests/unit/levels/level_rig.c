@@ -111,6 +111,70 @@ const char *level_picture_of(const struct model *model, const struct model_face 
     return face->picture ? model->pictures[face->picture - 1].name : "";
 }
 
+/* Rays --------------------------------------------------------------------------------------- */
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Twice the area of a corner's triangle, by axes. */
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* Whether a ray passes through the convex face, on whichever side: its edges all turn the same way round it. */
+static bool is_hit(const struct model *model, const struct model_face *face, const double eye[3], const double way[3])
+{
+    int turns = 0;
+    for (uint32_t k = 0; k < face->count; k++) {
+        double a[3], b[3], normal[3];
+        for (int i = 0; i < 3; i++) {
+            a[i] = level_corner_at(model, face, k)[i] - eye[i];
+            b[i] = level_corner_at(model, face, k + 1)[i] - eye[i];
+        }
+        cross(a, b, normal);
+        const int turn = dot(normal, way) > 0 ? 1 : -1;
+        if (turns && turn != turns) return false;
+        turns = turn;
+    }
+    return true;
+}
+
+/* Above 0: the nearest face that the ray meets shows its front; below, its back; 0: there is none. */
+static double seen(const struct model *model, const double eye[3], const double way[3])
+{
+    double nearest = INFINITY, front = 0;
+    for (size_t i = 0; i < model->face_count; i++) {
+        const struct model_face *face = &model->faces[i];
+        double normal[3], there[3];
+        level_normal(model, face, normal);
+        for (int k = 0; k < 3; k++)
+            there[k] = level_corner_at(model, face, 0)[k] - eye[k];
+        const double distance = dot(normal, there) / dot(normal, way);
+        if (face->transparency || !(distance > 0 && distance < nearest) || !is_hit(model, face, eye, way)) continue;
+        nearest = distance;
+        front = -dot(normal, way);
+    }
+    return front;
+}
+
+bool level_is_closed(const struct model *model, const double eye_m[3], int rays, struct random *random)
+{
+    for (int i = 0; i < rays; i++) {
+        const double way[3] = {random_unit(random) - 0.5, random_unit(random) - 0.5, random_unit(random) - 0.5};
+        if (seen(model, eye_m, way) > 0) continue;
+        print_error("from %g %g %g towards %g %g %g nothing is in the way\n", eye_m[0], eye_m[1], eye_m[2], way[0],
+                    way[1], way[2]);
+        return false;
+    }
+    return true;
+}
+
+/* Maps --------------------------------------------------------------------------------------- */
+
 /* A line between two sectors, the right one first; WAD_NO_SIDE: none. */
 unsigned level_border(unsigned from, unsigned to, unsigned right, unsigned left)
 {

@@ -5,6 +5,7 @@
 #define LEVELS_LEVEL_RIG_H
 
 #include "model/model.h"
+#include "rigs/random.h"
 #include "unit/levels/wad_writer.h"
 
 extern struct wad_writer level_wad;
@@ -35,6 +36,10 @@ const struct model_face *level_need_wall(const struct model *model, double x, do
 
 /* Its name; empty: it shows none. */
 const char *level_picture_of(const struct model *model, const struct model_face *face);
+
+/* Whether so many random rays from a place all end at the front of a face that is opaque; else one is printed that does
+ * not. */
+bool level_is_closed(const struct model *model, const double eye_m[3], int rays, struct random *random);
 
 /* A line between two sectors, the right one first; WAD_NO_SIDE: none. Returns it. */
 unsigned level_border(unsigned from, unsigned to, unsigned right, unsigned left);

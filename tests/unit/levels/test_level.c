@@ -3,6 +3,7 @@
  * Maps of small WADs as models: where floors, ceilings, walls and cameras are. The numbers are worked out by hand from
  * the format's description. */
 #include "levels/level_cameras.h"
+#include "levels/level_import.h"
 #include "levels/level_path.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
@@ -172,6 +173,80 @@ static void each_place_has_the_floor_of_its_sector_and_no_other(void **state)
     }
 }
 
+/* What lines do not say ----------------------------------------------------------------------- */
+
+static void assert_closed_from(const struct model *model, double x, double y, double height)
+{
+    struct random random = {3};
+    const double eye[3] = {x / 32, height / 32, -y / 32};
+    if (!level_is_closed(model, eye, effort(2000), &random)) fail_msg("a hole");
+}
+
+/* Deep water and bridges: the lines round a sector name it on both sides. */
+static void a_sector_within_its_own_lines_has_walls_round_it(void **state)
+{
+    (void)state;
+    const unsigned outer = wad_sector(&level_map, 0, 128, 255, "FLOOR", "CEIL");
+    const unsigned inner = wad_sector(&level_map, 24, 100, 255, "FLOOR", "CEIL");
+    struct model model;
+    struct error err;
+    wad_room(&level_map, 0, 0, 320, outer);
+    level_square(128, 128, 64, inner, inner);
+    level_save("MAP01");
+    if (!level_import("a.wad:MAP01", true, &model, &err)) fail_msg("%s", err.text);
+    assert_string_equal(model.notice, "lines that name a sector which is not there: 4, LINEDEFS 4 among them");
+    assert_true(level_area(&model, 1) == 100);
+    level_need_wall(&model, 1, 0, 0, 24);
+    level_need_wall(&model, 1, 0, 100, 128);
+    assert_closed_from(&model, 20, 30, 41);
+    assert_closed_from(&model, 160, 170, 60);
+    model_free(&model);
+}
+
+/* Towards what is outside the sectors end somewhere, and are closed there. */
+static void a_sector_that_is_open_is_closed_where_it_ends(void **state)
+{
+    (void)state;
+    struct model model;
+    struct error err;
+    wad_room(&level_map, 0, 0, 320, wad_sector(&level_map, 0, 128, 255, "FLOOR", "CEIL"));
+    level_map.line_count--;
+    level_save("MAP01");
+    if (!level_import("a.wad:MAP01", true, &model, &err)) fail_msg("%s", err.text);
+    assert_string_equal(model.notice, "sectors that no lines close: 1, SECTORS 0 among them; they end somewhere");
+    assert_closed_from(&model, 20, 160, 41);
+    model_free(&model);
+}
+
+/* A line of one side within a sector, and one with the same sector on both sides. */
+static void lines_within_a_sector_are_walls_or_hold_what_hangs(void **state)
+{
+    (void)state;
+    const unsigned room = wad_sector(&level_map, 0, 128, 255, "FLOOR", "CEIL");
+    struct model model;
+    struct error err;
+    wad_room(&level_map, 0, 0, 320, room);
+    wad_vertex(&level_map, 100, 100);
+    wad_vertex(&level_map, 100, 200);
+    wad_vertex(&level_map, 150, 200);
+    wad_line(&level_map, 4, 5, 0, wad_side(&level_map, room, "-", "-", "WALL"), WAD_NO_SIDE);
+    wad_line(&level_map, 5, 6, 0, wad_side(&level_map, room, "-", "-", "GRATE"),
+             wad_side(&level_map, room, "-", "-", "-"));
+    level_save("MAP01");
+    if (!level_import("a.wad:MAP01", true, &model, &err)) fail_msg("%s", err.text);
+    assert_string_equal(model.notice, "lines that name a sector which is not there: 1, LINEDEFS 4 among them");
+    assert_true(level_area(&model, 1) == 100);
+    size_t walls = 0;
+    for (size_t i = 0; i < model.face_count; i++) {
+        double normal[3];
+        level_normal(&model, &model.faces[i], normal);
+        walls += normal[1] == 0;
+    }
+    assert_int_equal(walls, 4 + 2);
+    level_need_wall(&model, 0, 1, 120, 128); /* the grate */
+    model_free(&model);
+}
+
 /* What has no height ------------------------------------------------------------------------- */
 
 static void a_closed_door_is_the_walls_round_it(void **state)
@@ -270,6 +345,9 @@ int main(void)
         cmocka_unit_test_setup(a_room_is_a_closed_box_in_metres_with_y_up, level_begin),
         cmocka_unit_test_setup(sectors_and_pillars_within_a_sector_are_left_out_of_it, level_begin),
         cmocka_unit_test_setup(each_place_has_the_floor_of_its_sector_and_no_other, level_begin),
+        cmocka_unit_test_setup(a_sector_within_its_own_lines_has_walls_round_it, level_begin),
+        cmocka_unit_test_setup(a_sector_that_is_open_is_closed_where_it_ends, level_begin),
+        cmocka_unit_test_setup(lines_within_a_sector_are_walls_or_hold_what_hangs, level_begin),
         cmocka_unit_test_setup(a_closed_door_is_the_walls_round_it, level_begin),
         cmocka_unit_test_setup(a_later_wad_takes_the_place_of_maps_and_textures, level_begin),
         cmocka_unit_test_setup(paths_name_wads_and_maps, level_begin),

@@ -228,7 +228,7 @@ static void lines_that_cross_and_sectors_that_are_open_are_a_notice(void **state
     make_map();
     level_map.line_count--; /* the line between the sectors */
     level_save("MAP01");
-    assert_noticed("sectors that no lines close: 2, SECTORS 0 among them; they end somewhere");
+    assert_noticed("lines that name a sector which is not there: 3, LINEDEFS 3 among them");
     make_map();
     level_map.line_count -= 2; /* and the wall beside it */
     level_save("MAP01");
