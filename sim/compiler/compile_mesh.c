@@ -326,6 +326,7 @@ bool compilation_tree(struct compilation *work, enum tree_kind kind, struct comp
     bool ok = kind == TREE_MESH ? compile_triangles(work, out, err)
                                 : compile_best(work, kind == TREE_AUTO ? TREE_BSP : kind, out, err);
     ok = ok && check_method(options, out, err);
+    out->report.is_interior = work->mesh->is_interior;
     out->report.mono = options->mono && !options->unlit;
     out->report.wireframe = options->wireframe;
     out->report.antialias = options->antialias;

@@ -107,6 +107,7 @@ static bool add_faces(const struct level *level, bool is_textured, struct level_
     importing.sky = level_look(textures, LOOK_WALL, sky_name(level->name));
     level_sectors_each(&sectors, add_polygon, &importing);
     level_walls_add(level, &sectors, importing.sky, &importing.faces);
+    model->is_interior = true;
     model->lattice_m = 1.0 / LEVEL_UNITS_A_M;
     note_sectors(&sectors, model);
     note_textures(textures, model);
