@@ -318,7 +318,7 @@ static void players_come_first_and_things_without_room_not_at_all(void **state)
     (void)state;
     struct level_camera *cameras;
     struct error err;
-    size_t count;
+    size_t count = 0;
     const unsigned hall = wad_sector(&level_map, 16, 128, 255, "FLOOR", "CEIL");
     wad_room(&level_map, 0, 0, 320, hall);
     level_square(128, 128, 64, hall, wad_sector(&level_map, 16, 16 + 41, 255, "FLOOR", "CEIL"));

@@ -21,7 +21,7 @@ static void assert_closed(const char *path)
     struct level_camera *cameras;
     struct error err;
     struct random random = {11};
-    size_t count;
+    size_t count = 0;
     if (!level_import(path, false, &model, &err) || !level_cameras_read(path, &cameras, &count, &err))
         fail_msg("%s", err.text);
     const size_t eyes = (size_t)effort(EYES) < count ? (size_t)effort(EYES) : count;
