@@ -13,7 +13,7 @@ is_right() { # MAP
     echo "$row"
     # shellcheck disable=SC2086 # figures are words
     set -- $row
-    [ $# -eq 21 ] && [ "${20}" = 0 ] && [ "${21}" = 0 ] && { [ "${10}${11}" = 00 ] || [ "${10}${11}" = -- ]; }
+    [ $# -eq 19 ] && [ "${18}${19}" = 00 ] && { [ "$9${10}" = 00 ] || [ "$9${10}" = -- ]; }
 }
 
 # Known to have more than 65535 words of polygons.
