@@ -192,34 +192,26 @@ static double distance(struct level_vertex a, struct level_vertex b)
     return hypot(b.x - a.x, b.y - a.y);
 }
 
-/* NULL behind a line of one side, whatever lies there. */
-static const struct level_sector *beyond(const struct adding *adding, const struct level_line *line,
-                                         const uint32_t beside[2], int k)
-{
-    const bool is_whole = line->sides[1 - k] == LEVEL_NO_SIDE && beside[0] == beside[1];
-    return is_whole ? NULL : sector_of(adding, beside[1 - k]);
-}
-
-/* Both sides of a line, or of a part of it; of one that names no side only what has to be there. */
+/* Both sides of a line, or of a part of it. A line of one side is a wall from both, whatever lies there; one of none
+ * has only what has to be there. */
 static void add_sides(const struct adding *adding, const struct level_line *line, const struct level_vertex ends[2],
                       const uint32_t beside[2])
 {
     const struct level *level = adding->level;
     const struct level_vertex begins[2] = {level->vertices[line->from], level->vertices[line->to]};
-    for (int k = 0; k < 2; k++) {
-        const bool is_named = line->sides[k] != LEVEL_NO_SIDE;
-        if (beside[k] == LEVEL_VOID || (!is_named && beside[0] == beside[1])) continue;
-        add_side(&(struct wall){.faces = adding->faces,
-                                .level = level,
-                                .line = line,
-                                .side = is_named ? &level->sides[line->sides[k]] : &NO_SIDE,
-                                .here = sector_of(adding, beside[k]),
-                                .beyond = beyond(adding, line, beside, k),
-                                .from = ends[k],
-                                .to = ends[1 - k],
-                                .along = distance(begins[k], ends[k]),
-                                .sky = adding->sky});
-    }
+    const bool named[2] = {line->sides[0] != LEVEL_NO_SIDE, line->sides[1] != LEVEL_NO_SIDE};
+    for (int k = 0; k < 2; k++)
+        if (beside[k] != LEVEL_VOID)
+            add_side(&(struct wall){.faces = adding->faces,
+                                    .level = level,
+                                    .line = line,
+                                    .side = named[k] ? &level->sides[line->sides[k]] : &NO_SIDE,
+                                    .here = sector_of(adding, beside[k]),
+                                    .beyond = named[0] == named[1] ? sector_of(adding, beside[1 - k]) : NULL,
+                                    .from = ends[k],
+                                    .to = ends[1 - k],
+                                    .along = distance(begins[k], ends[k]),
+                                    .sky = adding->sky});
 }
 
 /* The next edge on a line; TRIANGLES_NONE: the line is over, or ends at another one. */
