@@ -42,13 +42,13 @@ all: $(BUILD)/limner ## [start] build the host program, build/limner (the defaul
 
 help: ## [care] list the goals
 	@awk -f sim/tools/help.awk Makefile boards/image.mk
-	@printf '\nSuites of make test: %s.\nOn demand: slow (what is slow and seldom finds anything; proofs are among it), arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), sanitize, models, boards and compilers with SEED=all (else a half), sub-bits (profiles with other ones), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
+	@printf '\nSuites of make test: %s.\nOn demand: slow (what is slow and seldom finds anything; proofs are among it), arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), sanitize, models, boards and compilers with SEED=all (else a half), sub-bits (profiles with other ones), levels (all maps of Freedoom; LEVELS="E1M1 MAP01": these), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
 packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev zlib1g-dev \
 	libgpiod-dev libhidapi-dev libarchive-dev
-packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base tidy
+packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base tidy freedoom
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
 packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \
@@ -70,6 +70,7 @@ packages-sub-bits      := $(packages-host) $(packages-arm) gcc-riscv64-unknown-e
 packages-extremes      := $(packages-host)
 packages-prove         := frama-c-base why3 z3
 packages-slow          = $(foreach suite,arm cpus boards export cross sanitize prove,$(packages-$(suite)))
+packages-levels        := freedoom $(packages-arm)
 packages-fuzz          := clang libclang-rt-dev
 packages-mutate        := $(packages-host)
 packages-fuzz-coverage := $(packages-fuzz)
@@ -124,7 +125,7 @@ progress    = sh sim/tools/progress.sh
 progress_of = $(BUILD)/progress $(progress_count)
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
-rooms   := base core pictures model readers scene trees cameras displays glass render accuracy compiler export measure page cli
+rooms   := base core pictures model levels readers scene trees cameras displays glass render accuracy compiler export measure page cli
 firmware_rooms := math view screen pixels lines movers pieces routes orders
 sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c) hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
@@ -350,6 +351,7 @@ suite-sanitize  := $(wildcard tests/sanitize*.sh)
 suite-models    := tests/models.sh
 suite-features  := tests/features_gcc.sh tests/features_clang.sh
 suite-sub-bits  := tests/sub_bits.sh
+suite-levels    := tests/levels.sh
 suite-prove     := tests/prove.sh
 suite-format    := tests/format.sh tests/rooms.sh tests/pointers.sh
 suite-kernel    := tests/kernel.sh
@@ -395,8 +397,8 @@ tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
 tests/foreign.sh: tests-kernel $(kernel_programs) $(BUILD)/tests/foreign/card
 
-unknown := $(filter-out $(ALL_SUITES) slow prove arm64 fixed features sub-bits extremes soak,$(suites))
-$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits extremes))
+unknown := $(filter-out $(ALL_SUITES) slow prove arm64 fixed features sub-bits levels extremes soak,$(suites))
+$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits levels extremes))
 
 # By itself it draws all frames, in all suites a part of them.
 ifeq ($(suites),extremes)
@@ -437,7 +439,7 @@ test-programs: $(test_programs) ## [test] build the unit tests without running t
 
 # -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive/exhaustive.h, tests/fuzz/fuzz.h -----------------
 
-FUZZ_TARGETS := camera camera_file lim_file render features mesh movers obj gltf ply stl off picture wire_log qemu vcd text written report
+FUZZ_TARGETS := camera camera_file lim_file render features mesh movers obj gltf ply stl off picture wire_log qemu vcd text written report wad
 FUZZ_FLAGS   := -max_total_time=60
 FUZZ_S       := 0
 export FUZZ_FLAGS FUZZ_S
@@ -458,7 +460,7 @@ $(BUILD)/tests/exhaustive: $(call object,tests/exhaustive/main.c tests/exhaustiv
 	@mkdir -p $(@D)
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
-fuzz_objects := $(call object,$(filter-out tests/fuzz/test_%,$(wildcard tests/fuzz/*.c)) tests/rigs/closed_scene.c)
+fuzz_objects := $(call object,$(filter-out tests/fuzz/test_%,$(wildcard tests/fuzz/*.c)) tests/rigs/closed_scene.c tests/unit/levels/wad_writer.c)
 
 $(BUILD)/tests/fuzz: $(call object,tests/fuzz/libfuzzer/main.c) $(fuzz_objects) $(library)
 	@mkdir -p $(@D)

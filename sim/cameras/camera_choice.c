@@ -4,7 +4,9 @@
 #include "cameras/camera_choice.h"
 
 #include "base/parse.h"
+#include "cameras/level_path_cameras.h"
 #include "cameras/random_path.h"
+#include "levels/level_path.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -40,6 +42,7 @@ bool camera_choice_parse(const char *text, struct camera_choice *out, struct err
 bool camera_choice_read(const struct camera_choice *choice, struct camera_path *out, struct error *err)
 {
     if (!choice->text || choice->random_count > 0) return true;
+    if (level_path_parse(choice->text, NULL)) return level_path_cameras(choice->text, 0, out, err);
     return camera_path_read(choice->text, out, err) && (choice->takes_times || camera_path_is_timeless(out, err));
 }
 
@@ -51,5 +54,6 @@ bool camera_choice_plan(const struct camera_choice *choice, const struct compile
         return near_path(scene, lens, choice->text, choice->seed, choice->random_count, path, err);
     if (choice->random_count > 0)
         return random_path(scene, choice->text, choice->seed, choice->random_count, path, err);
+    if (choice->level && orbit_frames) return level_path_cameras(choice->level, orbit_frames, path, err);
     return camera_path_orbit(scene, lens, orbit_frames, path, err);
 }

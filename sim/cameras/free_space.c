@@ -168,13 +168,18 @@ static void units_of(const struct grid *grid, const double at_m[3], double at[3]
         at[i] = (at_m[i] - grid->origin_m[i]) * grid->units_per_m;
 }
 
-bool free_space_shows_fronts(const struct compiled *compiled, const double at_m[3], const double (*targets_m)[3],
-                             size_t count)
+/* Rays that meet a front first, and a back. */
+struct views {
+    size_t fronts, backs;
+};
+
+static struct views views_from(const struct compiled *compiled, const double at_m[3], const double (*targets_m)[3],
+                               size_t count)
 {
     const struct lim_scene *scene = &compiled->scene;
     struct meeting meetings[FREE_SPACE_RAYS_MAX];
     struct ray rays[FREE_SPACE_RAYS_MAX];
-    size_t fronts = 0, backs = 0;
+    struct views views = {0};
 
     for (size_t i = 0; i < count; i++) {
         units_of(&compiled->grid, at_m, rays[i].at);
@@ -190,10 +195,23 @@ bool free_space_shows_fronts(const struct compiled *compiled, const double at_m[
         word += record.words;
     }
     for (size_t i = 0; i < count; i++) {
-        fronts += meetings[i].front;
-        backs += !meetings[i].front && meetings[i].t < DBL_MAX;
+        views.fronts += meetings[i].front;
+        views.backs += !meetings[i].front && meetings[i].t < DBL_MAX;
     }
-    return fronts >= backs;
+    return views;
+}
+
+bool free_space_shows_fronts(const struct compiled *compiled, const double at_m[3], const double (*targets_m)[3],
+                             size_t count)
+{
+    const struct views views = views_from(compiled, at_m, targets_m, count);
+    return views.fronts >= views.backs;
+}
+
+bool free_space_is_within(const struct compiled *compiled, const double at_m[3], const double (*targets_m)[3],
+                          size_t count)
+{
+    return 4 * views_from(compiled, at_m, targets_m, count).fronts >= 3 * count;
 }
 
 bool free_space_holds(const struct compiled *compiled, const double at_m[3])

@@ -18,4 +18,8 @@ enum { FREE_SPACE_RAYS_MAX = 16 };
 bool free_space_shows_fronts(const struct compiled *scene, const double at_m[3], const double (*targets_m)[3],
                              size_t count);
 
+/* Whether three quarters of these rays and more meet a front first: of a scene that is seen from within alone. */
+bool free_space_is_within(const struct compiled *compiled, const double at_m[3], const double (*targets_m)[3],
+                          size_t count);
+
 #endif

@@ -12,7 +12,7 @@
 #include <math.h>
 
 enum { ASKED = 32, ASKED_ALL = 20000 };
-enum { TRIES = 200, PATIENCE = 100000, APART_UNITS = 16 /* eye and target */ };
+enum { TRIES = 200, TRIES_WITHIN = 10000, PATIENCE = 100000, APART_UNITS = 16 /* eye and target */ };
 
 double sampler_unit(struct sampler *sampler)
 {
@@ -48,10 +48,10 @@ static void point_in_bounds(struct sampler *sampler, double out_m[3])
         out_m[i] = sampler->low_m[i] + sampler_unit(sampler) * (sampler->high_m[i] - sampler->low_m[i]);
 }
 
-/* Anywhere in the bounds, or in bounds four times as wide. */
+/* Anywhere in the bounds, or in bounds four times as wide, if anything is to be seen from there. */
 static void random_point(struct sampler *sampler, double out_m[3])
 {
-    const double spread = sampler_unit(sampler) < 0.5 ? 1.0 : 4.0;
+    const double spread = sampler_unit(sampler) < 0.5 || sampler->scene->report.is_interior ? 1.0 : 4.0;
     double longest_m = 0;
     for (int i = 0; i < 3; i++)
         longest_m = fmax(longest_m, sampler->high_m[i] - sampler->low_m[i]);
@@ -86,7 +86,8 @@ static bool shows_fronts(const struct sampler *sampler, const double eye_m[3])
     for (unsigned k = 0; k < FREE_SPACE_RAYS_MAX; k++)
         for (int i = 0; i < 3; i++)
             targets_m[k][i] = sampler->low_m[i] + halton(k + 1, bases[i]) * (sampler->high_m[i] - sampler->low_m[i]);
-    return free_space_shows_fronts(sampler->scene, eye_m, (const double(*)[3])targets_m, FREE_SPACE_RAYS_MAX);
+    return (sampler->scene->report.is_interior ? free_space_is_within : free_space_shows_fronts)(
+        sampler->scene, eye_m, (const double(*)[3])targets_m, FREE_SPACE_RAYS_MAX);
 }
 
 bool sampler_may_be_at(const struct sampler *sampler, const double eye_m[3])
@@ -99,7 +100,7 @@ struct viewpoint sampler_next(struct sampler *sampler)
     const double apart_m = APART_UNITS / sampler->scene->grid.units_per_m;
     struct viewpoint viewpoint = {.line = 1};
 
-    for (int i = 0; i < TRIES; i++) {
+    for (int i = 0; i < (sampler->scene->report.is_interior ? TRIES_WITHIN : TRIES); i++) {
         random_point(sampler, viewpoint.eye_m);
         if (sampler_may_be_at(sampler, viewpoint.eye_m)) break;
     }
@@ -129,7 +130,7 @@ void sampler_init(struct sampler *sampler, const struct compiled *scene)
     *sampler =
         (struct sampler){.scene = scene, .state = 0x9E3779B97F4A7C15, .near_m = lens_default_near_m(&scene->grid)};
     set_bounds(sampler, scene);
-    sampler->fronts_only = wants_fronts(sampler);
+    sampler->fronts_only = scene->report.is_interior || wants_fronts(sampler);
 }
 
 /* In the unit ball, and not too close to its middle. Returns how far from it. */

@@ -19,7 +19,8 @@ struct sampler {
 
 /* The scene must outlive the sampler and have polygons. If a quarter of the eyes in its free space or more see backs
  * rather than fronts, these are left out: nobody is meant to be outside of a level that is made to be seen from within.
- * A closed scene, or an object, has hardly any such places, and keeps them. */
+ * A closed scene, or an object, has hardly any such places, and keeps them. Of a model that is an interior all eyes are
+ * where fronts are seen nearly all round, and in its bounds. */
 void sampler_init(struct sampler *sampler, const struct compiled *scene);
 
 /* Whether an eye may be there: in free space, and not where it is left out. */

@@ -15,6 +15,7 @@
 #include "cli/options.h"
 #include "compiler/faithful.h"
 #include "core/core.h"
+#include "levels/level_path.h"
 #include "pictures/dump.h"
 #include "pictures/frame_file.h"
 #include "pictures/hashes.h"
@@ -66,7 +67,7 @@ static bool open_outputs(struct render *render, struct error *err)
     if (options->compare && options_scene_is_compiled(options))
         return error_set(err, "--compare: %s holds no source polygons; give the model", options->scene_path);
     const char *cameras_path = options->cameras.random_count ? NULL : options->cameras.text;
-    return outputs_spare(&render->outputs, options->scene_path, err) &&
+    return level_path_spare(&render->outputs, options->scene_path, err) &&
            outputs_spare(&render->outputs, cameras_path, err) &&
            outputs_spare(&render->outputs, options->check_path, err) &&
            open_output(render, options->gif_path, &render->gif_file, err) &&

@@ -4,6 +4,7 @@
  * or not there. */
 #include "base/outputs.h"
 #include "cli/commands.h"
+#include "levels/level_path.h"
 #include "page/page.h"
 
 #include <stdio.h>
@@ -13,7 +14,7 @@
 static bool run(struct page *page, struct outputs *outputs, struct error *err)
 {
     const char *path = page->request.folder;
-    FILE *file = outputs_spare(outputs, page->request.model, err) ? outputs_open(outputs, path, err) : NULL;
+    FILE *file = level_path_spare(outputs, page->request.model, err) ? outputs_open(outputs, path, err) : NULL;
     if (!file) return false;
     const bool ok = page_collect(page, err) && page_write(page, file, err);
     return outputs_close(file, path, ok ? err : &(struct error){0}) && ok && outputs_keep(outputs, err);

@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/report_file.h"
 #include "cli/report_run.h"
+#include "levels/level_path.h"
 #include "model/model.h"
 #include "readers/inputs.h"
 #include "readers/model_import.h"
@@ -192,15 +193,45 @@ static bool look_up(struct packing *packing, const char *path, struct error *err
     return true;
 }
 
+/* A map's WADs, and as what the report's scene is named then. */
+static bool pack_wads(struct packing *packing, const struct level_path *level, struct error *err)
+{
+    char *scene = packing->report->scene, path[WAD_PATH_B], name[PATH_MAX_B];
+    size_t at = 0;
+    for (size_t i = 0; wad_path_at(level->files, i, path); i++) {
+        if (!pack_input(packing, path, err) || !name_in_report(packing, path, name, err)) return false;
+        at += (size_t)snprintf(scene + at, REPORT_NAME_B - at, "%s%s", i ? "+" : "", name);
+        if (at >= REPORT_NAME_B) return error_set(err, "%s: the path is too long", packing->scene_path);
+    }
+    at += (size_t)snprintf(scene + at, REPORT_NAME_B - at, "%s", level_path_tail(packing->scene_path));
+    return at < REPORT_NAME_B || error_set(err, "%s: the path is too long", packing->scene_path);
+}
+
+static bool pack_scene(struct packing *packing, struct error *err)
+{
+    struct level_path level;
+    if (level_path_parse(packing->scene_path, &level)) return pack_wads(packing, &level, err);
+    if (!pack_input(packing, packing->scene_path, err)) return false;
+    snprintf(packing->report->scene, sizeof packing->report->scene, "%s", packing->report->files[0].name);
+    return true;
+}
+
+/* Of several files, the first one's. */
+static size_t folder_length(const char *scene_path)
+{
+    char path[WAD_PATH_B];
+    wad_path_at(scene_path, 0, path);
+    const char *slash = strrchr(path, '/');
+    return slash ? (size_t)(slash - path) + 1 : 0;
+}
+
 static bool pack_inputs(struct packing *packing, struct error *err)
 {
-    const char *slash = strrchr(packing->scene_path, '/');
     FILE *list = tmpfile();
-    packing->folder_b = slash ? (size_t)(slash - packing->scene_path) + 1 : 0;
+    packing->folder_b = folder_length(packing->scene_path);
     bool ok = list || error_set(err, "no temporary file: %s", strerror(errno));
     if (ok) list_inputs(packing, list);
-    ok = ok && each_input(packing, list, look_up, err) && pack_input(packing, packing->scene_path, err);
-    if (ok) snprintf(packing->report->scene, sizeof packing->report->scene, "%s", packing->report->files[0].name);
+    ok = ok && each_input(packing, list, look_up, err) && pack_scene(packing, err);
     ok = ok && each_input(packing, list, pack_input, err);
     if (list) fclose(list);
     return ok;

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "compiler/faithful.h"
 #include "core/core.h"
+#include "levels/level_path.h"
 #include "measure/difference.h"
 #include "measure/measure_request.h"
 #include "measure/worst_views.h"
@@ -152,7 +153,7 @@ static bool open_cameras(struct worst *worst, FILE **file, char path[PATH_MAX_B]
 {
     *file = NULL;
     if (!worst->request.folder) return true;
-    if (!outputs_spare(&worst->outputs, worst->request.model, err)) return false;
+    if (!level_path_spare(&worst->outputs, worst->request.model, err)) return false;
     *file = open_output(worst, ".cam", path, err);
     return *file != NULL;
 }

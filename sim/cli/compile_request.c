@@ -7,6 +7,7 @@
 #include "compiler/portal_choice.h"
 #include "compiler/tree_choice.h"
 #include "core/core_parse.h"
+#include "levels/level_path.h"
 #include "measure/worst_views.h"
 #include "scene/moving.h"
 
@@ -221,14 +222,12 @@ bool compile_request_parse(int argc, char **argv, struct compile_request *out, s
     return check_bound(out, err) && compile_options_settle(&out->compile, err);
 }
 
-/* NAME for a single model; NAME_hall for house/hall.obj where there are others. */
+/* NAME for a single model; NAME_hall for house/hall.obj and NAME_E1M1 for doom.wad:E1M1 where there are others. */
 static bool name_scene(const struct compile_request *request, size_t i, char name[C_PATH_MAX_B], struct error *err)
 {
     if (request->model_count == 1) return c_path(name, request->name, "", err);
-    const char *slash = strrchr(request->models[i], '/'), *file = slash ? slash + 1 : request->models[i];
-    const char *dot = strrchr(file, '.');
-    char suffix[C_NAME_MAX_B];
-    if (snprintf(suffix, sizeof suffix, "_%.*s", dot ? (int)(dot - file) : (int)strlen(file), file) >= C_NAME_MAX_B)
+    char suffix[C_NAME_MAX_B] = "_";
+    if (level_path_stem(request->models[i], suffix + 1, sizeof suffix - 1) >= C_NAME_MAX_B - 1)
         return error_set(err, "%s: the name is too long for C symbols", request->models[i]);
     return c_path(name, request->name, suffix, err);
 }

@@ -6,7 +6,7 @@
 
 #include "cli/esp_image.h"
 #include "cli/uf2.h"
-#include "cli/usage_table.h"
+#include "cli/usage.h"
 #include "compiler/moving_compile.h"
 #include "compiler/portal_choice.h"
 #include "core/core.h"

@@ -42,7 +42,8 @@ static const struct command {
                 {"replay", cmd_replay, true},
                 {"export", cmd_export, true},
                 {"worst", cmd_worst, true},
-                {"report", cmd_report, true}};
+                {"report", cmd_report, true},
+                {"wad", cmd_wad, false}};
 
 /* --trust-paths and --no-textures, which mean the same to all commands that read models, are taken out. */
 static int take_common(int argc, char **argv)

@@ -4,7 +4,7 @@
 #include "cli/man_page.h"
 
 #include "cli/fly.h"
-#include "cli/usage_table.h"
+#include "cli/usage.h"
 
 #include <string.h>
 

@@ -11,6 +11,7 @@
 #include "core/core.h"
 #include "core/core_parse.h"
 #include "displays/module_choice.h"
+#include "levels/level_path.h"
 #include "render/caption.h"
 #include "scene/scene_files.h"
 
@@ -391,6 +392,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (optind + 1 < argc) return error_set(err, "%s: one scene at a time, what is '%s'?", argv[0], argv[optind + 1]);
     out->scene_path = argv[optind];
     out->cameras.takes_times = is_render;
+    if (level_path_parse(out->scene_path, NULL)) out->cameras.level = out->scene_path;
     if (is_render && !asks_for_output(out)) out->frame_pattern = "out/%03d.png";
     settle_file(out);
     if (!compile_options_settle(&out->compile, err)) return false;

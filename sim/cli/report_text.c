@@ -5,6 +5,7 @@
 
 #include "base/versions.h"
 #include "cli/options.h"
+#include "levels/level_path.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -73,13 +74,31 @@ static bool parse_outcome(struct report *report, const char *value, struct error
     return error_set(err, "'outcome: %s': there are drawn, refused and crashed", value);
 }
 
+/* A file, or a map of several. */
+static bool is_scene(const struct report *report, const char *value,
+                     bool (*is_good)(const struct report *, const char *))
+{
+    struct level_path level;
+    char path[WAD_PATH_B];
+    if (!level_path_parse(value, &level)) return is_good(report, value);
+    for (size_t i = 0; wad_path_at(level.files, i, path); i++)
+        if (!is_good(report, path)) return false;
+    return true;
+}
+
+static bool is_allowed(const struct report *report, const char *name)
+{
+    (void)report;
+    return report_name_is_allowed(name);
+}
+
 static bool parse_line(struct report *report, const char *key, const char *value, struct error *err)
 {
     if (strcmp(key, "file") == 0) return parse_file(report, value, err);
     if (strcmp(key, "outcome") == 0) return parse_outcome(report, value, err);
     if (strcmp(key, "option") == 0) return report_add_argument(report, value, err);
     if (strcmp(key, "scene") != 0) return true;
-    if (!report_name_is_allowed(value)) return error_set(err, "'scene: %s' is not in the report", value);
+    if (!is_scene(report, value, is_allowed)) return error_set(err, "'scene: %s' is not in the report", value);
     snprintf(report->scene, sizeof report->scene, "%s", value);
     return true;
 }
@@ -127,7 +146,7 @@ bool report_text_parse(struct report *report, char *text, size_t text_b, struct 
         *colon = '\0';
         if (!parse_line(report, line, colon + 2, err)) return error_prefix(err, REPORT_TEXT_NAME);
     }
-    bool ok = is_listed(report, report->scene) || error_set(err, "its scene is not in the report");
+    bool ok = is_scene(report, report->scene, is_listed) || error_set(err, "its scene is not in the report");
     ok = ok && (report->outcome != REPORT_DRAWN || is_listed(report, REPORT_HASHES_NAME) ||
                 error_set(err, "the frames' hashes are not in the report"));
     for (size_t i = 0; ok && i < report->argument_count; i++)

@@ -5,7 +5,6 @@
 #include "cli/usage.h"
 
 #include "cli/fly.h"
-#include "cli/usage_table.h"
 
 #include <string.h>
 
@@ -87,6 +86,8 @@ static const struct usage_command COMMANDS[] = {
     {"report", "MODEL -o FILE.html",
      "Writes a page: views, wrong pixels, what each stage costs, memory, the tree, the worst frames, what to do next.",
      "limner report house.obj -o house.html"},
+    {"wad", "FILE.wad", "Lists a WAD's maps, each of which is a MODEL: FILE.wad:MAP, or IWAD.wad+PWAD.wad:MAP.",
+     "limner wad freedoom1.wad"},
 };
 
 static const struct usage_entry ENTRIES[] = {
@@ -173,7 +174,8 @@ static const struct usage_entry ENTRIES[] = {
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | PAGE,
      "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames); or\n"
      "                      random:SEED[:FRAMES], at random in the scene's free space (64 frames); or near:...,\n"
-     "                      the same near the model's faces, small ones as often as large ones\n"},
+     "                      the same near the model's faces, small ones as often as large ones; or FILE.wad:MAP,\n"
+     "                      where a map's players and things stand (16 of them, of such a MODEL)\n"},
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | ONE,
      "  --fov DEG           vertical field of view (60)\n"},
     {RENDER | VIEW | REPORT_BUG,
@@ -297,7 +299,7 @@ static const struct usage_entry ENTRIES[] = {
              "  -o FOLDER           to write; one that an export wrote, unchanged, is written anew\n"},
     {0, "replay:\n"},
     {REPLAY, "  -o FILE             the report anew, with what comes out now\n"},
-    {0, "all that take a MODEL:\n"},
+    {0, "all that take a MODEL, which may be a map of Doom or Freedoom, FILE.wad:MAP or IWAD.wad+PWAD.wad:MAP:\n"},
     {MODELS | REPLAY,
      "  --time-limit SECONDS  then the best so far counts, said as such; nothing yet is an error (600, or\n"
      "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly\n"},

@@ -275,7 +275,7 @@ static bool check_size(const struct compilation *work, struct error *err)
         const size_t extra = polygon->transparency > 0;
         if (corners >= 3) words += (LIM_POLYGON_HEAD_WORDS + corners + extra) * (polygon->two_sided ? 2 : 1);
     }
-    return encoding_check_count(words, "words of polygons with textures", err);
+    return encoding_check_textured(words, err);
 }
 
 static unsigned side_or_default(unsigned side_px)
@@ -326,6 +326,7 @@ bool compilation_tree(struct compilation *work, enum tree_kind kind, struct comp
     bool ok = kind == TREE_MESH ? compile_triangles(work, out, err)
                                 : compile_best(work, kind == TREE_AUTO ? TREE_BSP : kind, out, err);
     ok = ok && check_method(options, out, err);
+    out->report.is_interior = work->mesh->is_interior;
     out->report.mono = options->mono && !options->unlit;
     out->report.wireframe = options->wireframe;
     out->report.antialias = options->antialias;

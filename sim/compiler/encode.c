@@ -288,8 +288,7 @@ static void nodes_encode(struct encoder *work, const uint32_t *heirs)
 static bool check_counts(const struct encoding *out, struct error *err)
 {
     if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
-    if (out->textures.texture_count && !encoding_check_count(out->word_count, "words of polygons with textures", err))
-        return false;
+    if (out->textures.texture_count && !encoding_check_textured(out->word_count, err)) return false;
     return encoding_check_count(out->depth, "levels of the tree", err) && texture_arrays_check(&out->textures, err);
 }
 

@@ -10,6 +10,7 @@
 #include "compiler/portal_choice.h"
 #include "compiler/tree_choice.h"
 #include "core/core.h"
+#include "levels/level_path.h"
 
 #include <getopt.h>
 #include <math.h>
@@ -286,11 +287,11 @@ static bool take_model(int argc, char **argv, struct measure_request *out, struc
     if (optind >= argc) return error_set(err, "%s: needs a model", argv[0]);
     if (optind + 1 < argc) return error_set(err, "%s: one model at a time, what is '%s'?", argv[0], argv[optind + 1]);
     out->model = argv[optind];
-    const char *slash = strrchr(out->model, '/'), *name = slash ? slash + 1 : out->model;
-    const char *dot = strrchr(name, '.');
+    if (level_path_parse(out->model, NULL)) out->cameras.level = out->model;
+    const char *dot = strrchr(out->model, '.');
     if (dot && strcasecmp(dot, ".lim") == 0)
         return error_set(err, "%s: accuracy is measured against the model, not against a compiled scene", out->model);
-    snprintf(out->name, sizeof out->name, "%.*s", (int)(dot ? dot - name : (long)strlen(name)), name);
+    level_path_stem(out->model, out->name, sizeof out->name);
     return true;
 }
 

@@ -167,14 +167,15 @@ static struct grid lattice_grid(const struct bounds *all, double step_m)
 
 /* What people build has its corners on multiples of something: where the scale divides that, they
  * round to the grid without error. A little resolution is given for it, no more than a third. */
-static void prefer_lattice(const struct place *places, size_t count, const struct bounds *all, struct grid *grid)
+static void prefer_lattice(const struct place *places, size_t count, const struct bounds *all, double lattice_m,
+                           struct grid *grid)
 {
     static const double STEPS_M[] = {1.0,  0.5,   0.25,  0.2,   0.1,    0.05,   0.025,      0.02,
                                      0.01, 0.005, 0.002, 0.001, 0.0005, 0.0001, 0.0254 / 4, 0.0254};
     const double least_units_per_m = grid->units_per_m * 2 / 3;
     double best = rounding_error(places, count, grid);
-    for (size_t i = 0; i < sizeof STEPS_M / sizeof *STEPS_M; i++) {
-        const struct grid candidate = lattice_grid(all, STEPS_M[i]);
+    for (size_t i = lattice_m > 0 ? 0 : 1; i <= sizeof STEPS_M / sizeof *STEPS_M; i++) {
+        const struct grid candidate = lattice_grid(all, i ? STEPS_M[i - 1] : lattice_m);
         if (!(candidate.units_per_m >= least_units_per_m)) continue;
         const double error = rounding_error(places, count, &candidate);
         if (error >= best) continue;
@@ -184,12 +185,12 @@ static void prefer_lattice(const struct place *places, size_t count, const struc
 }
 
 static void choose_scale(const struct place *places, size_t count, const struct bounds *all, double longest_m,
-                         struct grid *grid)
+                         double lattice_m, struct grid *grid)
 {
     for (int axis = 0; axis < 3; axis++)
         grid->origin_m[axis] = all->low[axis] + (all->high[axis] - all->low[axis]) / 2;
     grid->units_per_m = GRID_SPAN_UNITS / longest_m;
-    prefer_lattice(places, count, all, grid);
+    prefer_lattice(places, count, all, lattice_m, grid);
 }
 
 bool grid_choose(const struct model *model, struct grid *grid, struct error *err)
@@ -200,7 +201,7 @@ bool grid_choose(const struct model *model, struct grid *grid, struct error *err
     double longest_m = longest_side(&all);
     bool ok = longest_m > 0 ? refuse_outlier(places, count, longest_m, err)
                             : error_set(err, "no face has an area: all corners are at one place");
-    if (ok) choose_scale(places, count, &all, longest_m, grid);
+    if (ok) choose_scale(places, count, &all, longest_m, model->lattice_m, grid);
     free(places);
     return ok;
 }

@@ -62,6 +62,7 @@ struct mesh {
     struct mesh_polygon *polygons;
     size_t polygon_count;
     struct grid grid;
+    bool is_interior; /* model.is_interior */
     struct mesh_counts counts;
     struct map inner;         /* edges that no face has: inner.h */
     struct texture *textures; /* of the model's pictures, one to one; no texels: it could not be read, or is not used */

@@ -172,7 +172,9 @@ static void clean_faces(struct cleaning *cleaning, const struct model *model, co
 static bool clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, bool keep_original,
                      struct error *err)
 {
-    *mesh = (struct mesh){.counts = {.faces = model->face_count, .clamped = model->alpha_clamped}, .grid = *grid};
+    *mesh = (struct mesh){.counts = {.faces = model->face_count, .clamped = model->alpha_clamped},
+                          .is_interior = model->is_interior,
+                          .grid = *grid};
     if (!mesh_textures_make(model, mesh, err)) {
         mesh_free(mesh);
         return false;

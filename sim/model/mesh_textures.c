@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { BLOCKS_MAX = 0xFFFF, MOST_BITS = 10 };
+enum { BLOCKS_MAX = 0xFFFF, MOST_BITS = 10, RESIZED_TOLD = 8 };
 
 static bool is_shown(const struct picture *picture)
 {
@@ -51,11 +51,18 @@ static void note_opaque(struct mesh *mesh, const struct picture *picture)
              picture->name, picture->clear_faces);
 }
 
+/* Whether it was. */
+static bool is_resized(const struct picture *picture, const struct texture *texture)
+{
+    const unsigned w_px = 1u << (texture->transposed ? texture->h_bits : texture->w_bits);
+    const unsigned h_px = 1u << (texture->transposed ? texture->w_bits : texture->h_bits);
+    return w_px != picture->found_w_px || h_px != picture->found_h_px;
+}
+
 static void note_resized(struct mesh *mesh, const struct picture *picture, const struct texture *texture, bool crowded)
 {
     const unsigned w_px = 1u << (texture->transposed ? texture->h_bits : texture->w_bits);
     const unsigned h_px = 1u << (texture->transposed ? texture->w_bits : texture->h_bits);
-    if (w_px == picture->found_w_px && h_px == picture->found_h_px) return;
     struct note *note = note_add(mesh);
     snprintf(note->text, sizeof note->text, "texture %s: %lux%lu pixels, resized to %ux%u%s", picture->name,
              (unsigned long)picture->found_w_px, (unsigned long)picture->found_h_px, w_px, h_px,
@@ -64,9 +71,16 @@ static void note_resized(struct mesh *mesh, const struct picture *picture, const
                  : ", as sides are powers of two");
 }
 
+static void note_more(struct mesh *mesh, size_t count)
+{
+    struct note *note = note_add(mesh);
+    snprintf(note->text, sizeof note->text, "textures that are resized as well: %zu", count);
+}
+
 bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err)
 {
     uint8_t most_bits = MOST_BITS;
+    size_t resized = 0;
     while (most_bits > 0 && blocks_at(model, most_bits) > BLOCKS_MAX)
         most_bits--;
     if (blocks_at(model, most_bits) > BLOCKS_MAX)
@@ -85,7 +99,9 @@ bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct err
         }
         if (!texture_make(picture, most_bits, &mesh->textures[i]))
             return error_set(err, "texture %s: out of memory", picture->name);
-        note_resized(mesh, picture, &mesh->textures[i], most_bits < MOST_BITS);
+        if (!is_resized(picture, &mesh->textures[i])) continue;
+        if (resized++ < RESIZED_TOLD) note_resized(mesh, picture, &mesh->textures[i], most_bits < MOST_BITS);
     }
+    if (resized > RESIZED_TOLD) note_more(mesh, resized - RESIZED_TOLD);
     return true;
 }

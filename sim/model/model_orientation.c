@@ -88,7 +88,7 @@ static const char MOSTLY_Z[] = "z is up, as in most files of that kind; --up y, 
 static bool is_z_up(const struct orientation *orientation, enum up_custom custom, struct model *model)
 {
     if (orientation->up != UP_BY_EVIDENCE) return orientation->up == UP_Z;
-    if (custom == CUSTOM_ALWAYS_Z) return true;
+    if (custom == CUSTOM_ALWAYS_Y || custom == CUSTOM_ALWAYS_Z) return custom == CUSTOM_ALWAYS_Z;
     const int axis = stands_on(model);
     if (custom == CUSTOM_Y && axis == 2) model_note(model, "it stands on its least z: --up z, if it lies on its back");
     if (custom == CUSTOM_Y) return false;
@@ -179,7 +179,7 @@ void orientation_apply(const struct orientation *orientation, enum up_custom cus
     else if (is_z_up(orientation, custom, model))
         turn_up(model);
     if (orientation->reverse_faces) reverse_faces(model);
-    note_winding(orientation, model);
+    if (custom != CUSTOM_ALWAYS_Y) note_winding(orientation, model);
     for (size_t i = 0; i < model->face_count && orientation->two_sided; i++)
         model->faces[i].two_sided = true;
 }

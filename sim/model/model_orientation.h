@@ -14,6 +14,7 @@ enum model_up { UP_BY_EVIDENCE, UP_Y, UP_Z };
 enum up_custom {
     CUSTOM_Y, /* y up, or nobody knows */
     CUSTOM_Z, /* mostly z up (STL): unless the model stands on the side of its least y and not on that of its least z */
+    CUSTOM_ALWAYS_Y, /* y up by what reads them (maps of WADs) */
     CUSTOM_ALWAYS_Z, /* z up by the program that writes them (Blender, trueSpace) */
     CUSTOM_TURNED    /* mostly z up, and the importer has turned them by a quarter, asked or not (3ds Max's) */
 };

@@ -7,10 +7,13 @@
 #include "readers/import.h"
 
 #include "base/grow.h"
+#include "levels/level_import.h"
+#include "levels/level_path.h"
 #include "model/model_colour.h"
 #include "readers/companion.h"
 #include "readers/float_step.h"
 #include "readers/import_motion.h"
+#include "readers/inputs.h"
 #include "readers/model_io.h"
 #include "readers/model_whole.h"
 #include "readers/picture.h"
@@ -324,9 +327,19 @@ static const struct aiScene *import_file(const char *path, const struct whole_fi
     return NULL;
 }
 
+static bool import_level(const char *path, const struct level_path *level, struct model *model, struct error *err)
+{
+    char file[WAD_PATH_B];
+    for (size_t i = 0; wad_path_at(level->files, i, file); i++)
+        inputs_note(file);
+    return level_import(path, !pictures_are_left_out(), model, err);
+}
+
 bool import_model(const char *path, struct model *model, struct error *err)
 {
+    struct level_path level;
     *model = (struct model){0};
+    if (level_path_parse(path, &level)) return import_level(path, &level, model, err);
     if (!model_io_check(path, err) || !model_is_whole(path, err)) return false;
     struct import import = {.path = path, .model = model, .err = err};
     companions_begin(path);

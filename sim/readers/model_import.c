@@ -8,6 +8,7 @@
 #include "base/child.h"
 #include "base/ending.h"
 #include "base/progress.h"
+#include "levels/level_path.h"
 #include "readers/import.h"
 
 #include <errno.h>
@@ -32,6 +33,8 @@ struct result {
     bool ok;
     size_t point_count, corner_count, face_count, alpha_clamped, picture_count;
     bool has_uvs;
+    double lattice_m;
+    bool is_interior;
     size_t mover_count, key_count;
     char notice[sizeof((struct model *)0)->notice];
     struct error err;
@@ -114,6 +117,8 @@ _Noreturn static void run_child(const char *path, rlim_t file_b, FILE *out)
     result.alpha_clamped = model.alpha_clamped;
     result.picture_count = model.picture_count;
     result.has_uvs = model.uvs != NULL;
+    result.lattice_m = model.lattice_m;
+    result.is_interior = model.is_interior;
     result.mover_count = model.mover_count;
     result.key_count = model.key_count;
     memcpy(result.notice, model.notice, sizeof result.notice);
@@ -157,6 +162,8 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     model->corner_count = result.corner_count;
     model->face_count = result.face_count;
     model->alpha_clamped = result.alpha_clamped;
+    model->lattice_m = result.lattice_m;
+    model->is_interior = result.is_interior;
     model->mover_count = result.mover_count;
     model->key_count = result.key_count;
     memcpy(model->notice, result.notice, sizeof model->notice);
@@ -184,17 +191,36 @@ static bool wait_for_child(const char *path, pid_t child, rlim_t file_b, struct 
     return error_set(err, "%s: the importer cannot read it (%s)", path, how);
 }
 
-bool model_import(const char *path, struct model *model, struct error *err)
+/* The child says what is wrong with a file. */
+static rlim_t size_of(const char *path)
 {
     struct stat file = {0};
+    (void)stat(path, &file);
+    return (rlim_t)file.st_size;
+}
+
+/* Of a map, all of its WADs. */
+static rlim_t input_size(const char *path)
+{
+    struct level_path level;
+    char wad[WAD_PATH_B];
+    rlim_t size_b = 0;
+    if (!level_path_parse(path, &level)) return size_of(path);
+    for (size_t i = 0; wad_path_at(level.files, i, wad); i++)
+        size_b += size_of(wad);
+    return size_b;
+}
+
+bool model_import(const char *path, struct model *model, struct error *err)
+{
+    const rlim_t size_b = input_size(path);
     *model = (struct model){0};
-    (void)stat(path, &file); /* the child says what is wrong with it */
     FILE *exchange = tmpfile();
     if (!exchange) return error_set(err, "%s: no temporary file: %s", path, strerror(errno));
     progress("reading %s", path);
     pid_t child = ending_fork();
-    if (child == 0) run_child(path, (rlim_t)file.st_size, exchange);
-    bool ok = child > 0 ? wait_for_child(path, child, (rlim_t)file.st_size, err)
+    if (child == 0) run_child(path, size_b, exchange);
+    bool ok = child > 0 ? wait_for_child(path, child, size_b, err)
                         : error_set(err, "%s: no process for the importer: %s", path, strerror(errno));
     ok = ok && read_result(path, exchange, model, err);
     progress_end();

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * From a file to a model, by assimp (OBJ, glTF, STL, PLY, ...); quads and n-gons are kept. */
+ * From a file to a model, by assimp (OBJ, glTF, STL, PLY, ...), or of a map of a WAD (levels/level_import.h); quads and
+ * n-gons are kept. */
 #ifndef SIM_MODEL_IMPORT_H
 #define SIM_MODEL_IMPORT_H
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/model_read.h"
 
+#include "levels/level_path.h"
 #include "model/flat_texture.h"
 #include "readers/model_import.h"
 #include "readers/whole_file.h"
@@ -14,6 +15,7 @@ static const struct {
 
 static enum up_custom custom_of(const char *path)
 {
+    if (level_path_parse(path, NULL)) return CUSTOM_ALWAYS_Y;
     for (size_t i = 0; i < sizeof CUSTOMS / sizeof *CUSTOMS; i++)
         if (path_has_suffix(path, CUSTOMS[i].suffix)) return CUSTOMS[i].custom;
     return CUSTOM_Y;

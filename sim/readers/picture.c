@@ -211,6 +211,11 @@ void pictures_leave_out(void)
     leaves_out = true;
 }
 
+bool pictures_are_left_out(void)
+{
+    return leaves_out;
+}
+
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out)
 {
     const struct aiTexture *texture = embedded(scene, name);

@@ -15,6 +15,7 @@ void picture_read(const struct aiScene *scene, const char *name, struct picture 
 
 /* --no-textures: none is read, for all of the process; faces have the colours of their materials. */
 void pictures_leave_out(void);
+bool pictures_are_left_out(void);
 
 void picture_free(struct picture *picture);
 

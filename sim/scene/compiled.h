@@ -80,6 +80,7 @@ struct worst_report {
 };
 
 struct compile_report {
+    bool is_interior; /* model.is_interior */
     struct mesh_counts mesh;
     size_t polygons_in, polygons_out; /* before and after splitting */
     size_t splits;

@@ -36,6 +36,7 @@ compare slow compare compare /limner
 methods slow tables-methods methods /limner /generate_bench arm-none-eabi-gcc qemu-system-arm
 scale slow scale scale /limner /generate_scale arm-none-eabi-gcc qemu-system-arm gnuplot
 predictions slow predictions predictions /limner /generate_scale /scenes/demo.obj
+levels slow tables-levels levels /limner arm-none-eabi-gcc qemu-system-arm
 delta-cost slow tables-delta-cost delta /limner arm-none-eabi-gcc qemu-system-arm
 overlay-cost slow tables-overlay-cost overlay /limner arm-none-eabi-gcc qemu-system-arm
 boards slow tables-boards boards /limner

@@ -15,18 +15,19 @@ least_firmware=95 least_readers=90
 
 # What takes bytes of others' making, by name, so that a new file of these kinds is one without being named here.
 readers='import.*|model_io|model_colour|model_whole|number.*|vertex_.*|node_transforms|gltf.*|decimal|float_step|.*_file'
-readers="$readers|source.*|companion|inputs|picture.*|camera_path|wire_log|listener|qemu_trace|vcd|channels|spi_wires|capture|picture_ends|link_map|hashes|lim_.*"
-readers="$readers|binary|uf2|boot2|elf_segments|esp_image|report_text|parse|arguments|options|measure_request|(camera|module|port)_choice"
+readers="$readers|source.*|companion|inputs|picture.*|wad|level.*|camera_path|wire_log|listener|qemu_trace|vcd|channels|spi_wires|capture|picture_ends|link_map|hashes|lim_.*"
+readers="$readers|binary|uf2|boot2|elf_segments|esp_image|report_text|bug_report|parse|arguments|options|measure_request|(camera|module|port)_choice"
 # Not these: they write.
 writers='frame_file'
 # Nor these, which open files that are not handed in: of the system and of tools (child, counts, model, streams), that
-# the program has written itself (cmd_measure, measure_cost, report_run), ports and devices (cmd_devices); and
-# cmd_report_bug, which copies files without looking into them.
-others='child|counts|model|streams|cmd_measure|measure_cost|report_run|cmd_devices|cmd_report_bug|outputs'
+# the program has written itself (cmd_measure, measure_cost, report_run, model_import; export and export_folder: what an
+# earlier export wrote), ports and devices (cmd_devices); and cmd_report_bug, which copies files without looking into them.
+others='child|counts|model|streams|cmd_measure|measure_cost|report_run|cmd_devices|cmd_report_bug|outputs|export|export_folder|model_import'
 
 # A file that opens something to read it is one of those above, whatever its name.
 opens='\<(f?open|freopen|fread|fgets|getline|getc_unlocked|input_open|whole_file_read|companion_open)\('
 for source in sim/*/*.c; do
+    case $source in sim/emulators/* | sim/scenes/* | sim/targets/* | sim/tools/*) continue ;; esac # programs of their own
     name=$(basename "$source" .c)
     grep -qE "$opens" "$source" || continue
     printf '%s\n' "$name" | grep -qxE "$readers|$writers|$others" && continue
@@ -69,7 +70,7 @@ notes | xargs gcov --stdout --relative-only 2>/dev/null | awk -v firmware_least=
     line == 0 {
         if (rest ~ /Source:/) {
             source = rest; sub(/.*Source:/, "", source)
-            wanted = source ~ /^(firmware\/[a-z0-9_]*\.[ch]|sim\/[a-z0-9_]*\.c)$/
+            wanted = source ~ /^(firmware\/([a-z0-9_]*\/)?[a-z0-9_]*\.[ch]|sim\/[a-z0-9_]*\/[a-z0-9_]*\.c)$/
         }
         next
     }

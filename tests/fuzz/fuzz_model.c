@@ -7,6 +7,7 @@
  *
  * The importer library is called in this process, as its child process calls it, for that is a thousand times quicker.
  * It is not instrumented, and crashes on some files: fuzz.sh tells those crashes from ours by their stack. */
+#include "fuzz_model.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
 #include "compiler/moving_compile.h"
@@ -164,7 +165,7 @@ static const char *check_source(const char *path, struct model *model)
     return NULL;
 }
 
-static const char *read_model(const char *path, uint32_t dice)
+const char *fuzz_model_read(const char *path, uint32_t dice)
 {
     struct model model;
     struct error err;
@@ -189,7 +190,7 @@ static const char *run_file(const char *name, const struct fuzz_bytes *file, uin
     char path[512];
 
     snprintf(path, sizeof path, "%s", fuzz_as_named_file(name, file->at, file->left_b));
-    return read_model(path, dice);
+    return fuzz_model_read(path, dice);
 }
 
 static uint32_t dice_of(const uint8_t *bytes, size_t size_b)

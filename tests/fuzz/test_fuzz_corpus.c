@@ -125,6 +125,12 @@ static void models_as_they_should_be_are_read_as_they_are(void **state)
     replay_corpus("written");
 }
 
+static void any_bytes_are_a_map_or_refused(void **state)
+{
+    (void)state;
+    replay_corpus("wad");
+}
+
 static void any_bytes_are_a_picture_or_refused(void **state)
 {
     (void)state;
@@ -169,6 +175,7 @@ int main(void)
         cmocka_unit_test(any_objects_move_in_any_valid_scene),
         cmocka_unit_test(any_bytes_are_a_model_that_compiles_or_refused),
         cmocka_unit_test(models_as_they_should_be_are_read_as_they_are),
+        cmocka_unit_test(any_bytes_are_a_map_or_refused),
         cmocka_unit_test(any_bytes_are_a_picture_or_refused),
         cmocka_unit_test(any_text_is_heard_by_a_display_or_refused),
         cmocka_unit_test(any_words_are_a_command_or_refused),

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * Inputs to begin with, where bytes at random would be long on their way: models and pictures that are as they should
- * be, and reports. FOLDER gets a folder for each target, COUNT files for each of its formats. */
+ * be, maps, and reports. FOLDER gets a folder for each target, COUNT files for each of its formats. */
 #define _XOPEN_SOURCE 700
+#include "fuzz/fuzz_model.h"
 #include "fuzz/fuzz_writer.h"
 
 #include <gd.h>
@@ -39,6 +40,13 @@ static void put_models(const char *folder, unsigned number, const uint8_t *bytes
         put(folder, targets[format], written_name(written.format) + strlen("model."), number, written.file,
             written.size_b);
     }
+}
+
+static void put_map(const char *folder, unsigned number, const uint8_t *bytes)
+{
+    uint8_t map[4 * BYTES_B];
+
+    put(folder, "wad", "map", number, map, fuzz_wad_seed(map, sizeof map, bytes));
 }
 
 static void put_pictures(const char *folder, unsigned number, const uint8_t *bytes)
@@ -299,6 +307,7 @@ int main(int argc, char **argv)
             bytes[i] = (uint8_t)((state = state * 1664525 + 1013904223) >> 24);
         put_models(argv[1], number, bytes);
         put_pictures(argv[1], number, bytes);
+        put_map(argv[1], number, bytes);
     }
     return EXIT_SUCCESS;
 }
