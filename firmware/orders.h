@@ -75,7 +75,7 @@ struct lim_movers {
     uint16_t object_depth;
     int32_t ahead_q28[3]; /* the camera's */
     int32_t eye_q8[3];
-    int64_t eye_ahead_q40;                             /* how far along that the eye is */
+    lim_word_s64 eye_ahead_q40;                        /* how far along that the eye is */
     struct lim_placed placed[LIM_PLACED_CORNERS];      /* of this frame, lately */
     struct lim_placed_plane planes[LIM_PLACED_PLANES]; /* likewise */
     struct lim_kept_corners kept[LIM_KEPT_CORNERS];    /* of this walk, lately */

@@ -220,16 +220,6 @@ struct lim_eye {
     const LIM_FLASH struct lim_plane *planes; /* the scene's: a load less on the way to each */
 };
 
-/* A plane of a scene, n . p = d. */
-struct lim_plane_unpacked {
-    int32_t n[3];
-    int64_t d;
-    int64_t slack; /* |n . p - d| up to this is on it: newell.h */
-    bool narrow;   /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
-    uint8_t axis;  /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
-};
-enum { LIM_NO_AXIS = 3 };
-
 struct lim_portals {
     uint8_t *bits;   /* of boxes; NULL: the scene has no places */
     uint16_t *stack; /* of nodes: a scene with places has few enough */

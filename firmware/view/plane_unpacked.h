@@ -5,7 +5,7 @@
 #define LIM_PLANE_UNPACKED_H
 
 #include "math/fixed.h"
-#include "stages.h"
+#include "scene.h"
 
 enum { LIM_CORNER_ONE_Q12 = 4096 };
 
