@@ -132,7 +132,7 @@ double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target 
  */
 double frame_cost_work(const struct lim_stats *stats, const struct lim_target *target)
 {
-    static const double division = 150.0, texel = 12.0, comparison = 60.0, split = 2000.0, mover_piece = 2500.0;
+    static const double division = 260.0, texel = 12.0, comparison = 60.0, split = 2000.0, mover_piece = 2500.0;
     const double texels = stats->divisions ? stats->pixels_painted : 0.0;
 
     return frame_cost_m0plus(stats, target) + division * stats->divisions + texel * texels +
@@ -141,7 +141,7 @@ double frame_cost_work(const struct lim_stats *stats, const struct lim_target *t
 
 double frame_cost_textures_m0plus(const struct lim_stats *stats, const struct lim_target *target)
 {
-    static const double PIXEL = 13, DIVISION = 170, LINE = 95, POLYGON = 1550;
+    static const double PIXEL = 13, DIVISION = 290, LINE = 95, POLYGON = 1550;
     static const double MESH_PIXEL = 11, MESH_LINE = 60, MESH_POLYGON = 600;
 
     if (target->method == LIM_MESH || target->method == LIM_MESH_DEPTH)
