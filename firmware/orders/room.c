@@ -56,28 +56,23 @@ static uint16_t unlink_line(struct lim_line *line, union lim_retained_cell *cell
     return count;
 }
 
-/* From the lowest line up, until enough is given up. Returns the first of them. */
-static uint16_t give_up(struct lim_nearest *nearest)
+/* Takes all lines apart: from the lowest one up they are given up, until that is enough. Polygons of the others have
+ * their line in the place of their link. Returns the first line that is given up. */
+static uint16_t unlink_lines(const struct lim_nearest *nearest)
 {
-    struct lim_spans *spans = &nearest->spans;
-    const uint16_t height = (uint16_t)(nearest->bottom - nearest->top);
+    const uint16_t height = (uint16_t)(nearest->bottom - nearest->top), enough = nearest->retained.used / PART;
     const uint16_t least = (uint16_t)(nearest->bottom - height / PART),
                    most = (uint16_t)(nearest->bottom - height / MOST_PART);
-    const uint16_t enough = nearest->retained.used / PART;
-    uint16_t y = nearest->bottom, count = 0;
+    uint16_t bottom = nearest->bottom, count = 0;
 
-    while (y > least || (y > most && count < enough)) {
+    for (uint16_t y = nearest->bottom; y > nearest->top;) {
+        const bool gives_up = y == bottom && (y > least || (y > most && count < enough));
         y--;
-        count = (uint16_t)(count + unlink_line(&spans->lines[y], nearest->retained.cells, LIM_NONE));
+        if (gives_up) bottom = y;
+        count = (uint16_t)(count + unlink_line(&nearest->spans.lines[y], nearest->retained.cells,
+                                               gives_up ? (uint16_t)LIM_NONE : y));
     }
-    return y;
-}
-
-/* In the place of links, the lines that lists belong to. */
-static void note_lines(const struct lim_nearest *nearest, uint16_t bottom)
-{
-    for (uint16_t y = nearest->top; y < bottom; y++)
-        (void)unlink_line(&nearest->spans.lines[y], nearest->retained.cells, y);
+    return bottom;
 }
 
 static void keep_above(struct lim_nearest *nearest)
@@ -107,9 +102,8 @@ static void keep_above(struct lim_nearest *nearest)
 bool lim_room_make(struct lim_nearest *nearest)
 {
     if (!can_shorten(nearest)) return false;
-    const uint16_t bottom = give_up(nearest);
+    const uint16_t bottom = unlink_lines(nearest);
     close_lines_from(&nearest->spans, bottom, nearest->bottom);
-    note_lines(nearest, bottom);
     keep_above(nearest);
     nearest->bottom = bottom;
     nearest->since_shrink = LIM_POLYGONS_PER_SHRINK - 1;

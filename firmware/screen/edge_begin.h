@@ -11,6 +11,12 @@
 
 #if LIM_8_BIT
 
+static inline bool begin_low(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
+{
+    (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
+    return false;
+}
+
 static inline bool begin_medium(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
 {
     (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
