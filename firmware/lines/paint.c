@@ -113,7 +113,7 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;
 
-    if (LIM_HOT && is_perspective(sink)) {
+    if (LIM_HAS_TEXTURE && LIM_HOT && is_perspective(sink)) {
         (void)lim_texture_fill_stretches(sink->span, sink->line, x0, x1);
         return;
     }
@@ -162,7 +162,7 @@ static inline void paint_open(struct lim_spans *spans, struct lim_line *open, in
         (void)lim_span_close(spans, open, (int16_t)x0, (int16_t)x1, paint_piece, sink);
     else if (lim_gap_close_only(spans, &open->gap, &x0, &x1) != LIM_SPAN_SOME)
         return;
-    else if (is_perspective(sink))
+    else if (LIM_HAS_TEXTURE && is_perspective(sink))
         (void)lim_texture_fill_stretches(sink->span, sink->line, x0, x1);
     else
         paint_piece(sink, (uint16_t)x0, (uint16_t)x1);
