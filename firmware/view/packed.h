@@ -181,6 +181,12 @@ static inline struct lim_packed_way lim_packed_way(lim_packed from, lim_packed t
     return way;
 }
 
+static inline bool lim_packed_turns(lim_packed a, lim_packed b, lim_packed c)
+{
+    const struct lim_packed_way u = lim_packed_way(a, b), v = lim_packed_way(a, c);
+    return u.dx * v.dy < u.dy * v.dx;
+}
+
 #if LIM_IS_PACKED
 
 /* Words are subtracted whole: where the lower half borrows, the upper one is less by 1. */
@@ -189,29 +195,7 @@ static inline uint32_t packed_minus(lim_packed a, lim_packed b)
     return (uint32_t)a - (uint32_t)b;
 }
 
-/* lim_packed_way() of points less than 2^15 apart. */
-static inline struct lim_packed_way packed_way_near(lim_packed from, lim_packed to)
-{
-    const uint32_t both = packed_minus(to, from);
-    const int32_t dx = (int16_t)both;
-    const struct lim_packed_way way = {dx, (int32_t)(both - (uint32_t)dx) >> 16};
-    return way;
-}
-
-#else
-
-static inline struct lim_packed_way packed_way_near(lim_packed from, lim_packed to)
-{
-    return lim_packed_way(from, to);
-}
-
 #endif
-
-static inline bool lim_packed_turns(lim_packed a, lim_packed b, lim_packed c)
-{
-    const struct lim_packed_way u = packed_way_near(a, b), v = packed_way_near(a, c);
-    return u.dx * v.dy < u.dy * v.dx;
-}
 
 #endif
 
