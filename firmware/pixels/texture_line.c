@@ -32,29 +32,38 @@ static inline int32_t at_twice(int32_t at, int32_t plane_x, int32_t twice_x)
     return (int32_t)((uint32_t)at + (uint32_t)plane_x * (uint32_t)twice_x);
 }
 
-/* Or 0, for |x| < 32. */
+/* not_negative(): or 0, for |x| < 32. square_of_high(): of the upper half. */
+#if LIM_DUAL_MULTIPLY && defined(__arm__)
+
 static inline int32_t not_negative(int32_t x)
 {
-#if LIM_DUAL_MULTIPLY && defined(__arm__)
     int32_t positive;
+
     __asm__("usat %0, #5, %1" : "=r"(positive) : "r"(x));
     return positive;
-#else
-    return x & ~(x >> 31);
-#endif
 }
 
-/* Of the upper half. */
 static inline int32_t square_of_high(int32_t x)
 {
-#if LIM_DUAL_MULTIPLY && defined(__arm__)
     int32_t square;
+
     __asm__("smultt %0, %1, %1" : "=r"(square) : "r"(x));
     return square;
-#else
-    return (x >> 16) * (x >> 16);
-#endif
 }
+
+#else
+
+static inline int32_t not_negative(int32_t x)
+{
+    return x & ~(x >> 31);
+}
+
+static inline int32_t square_of_high(int32_t x)
+{
+    return (x >> 16) * (x >> 16);
+}
+
+#endif
 
 static LIM_IN_EACH_CALLER void suit_level(const struct lim_texture_line *line, uint32_t depth)
 {

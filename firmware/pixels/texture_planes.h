@@ -45,32 +45,43 @@ static inline int32_t lim_texture_times(int32_t x, int32_t recip_q31)
     return LIM_HAS_LIMBS ? mul_high_s32(x, recip_q31) : mul_s32_top(x, recip_q31);
 }
 
-/* floor(x y / 2^32), of whose y draft and fast take the upper 16 bits. */
+/* lim_texture_part(): floor(x y / 2^32), of whose y draft and fast take the upper 16 bits. lim_texture_plus_part():
+ * that and a. */
+#if LIM_DUAL_MULTIPLY && defined(__arm__)
+
+static inline int32_t lim_texture_part(int32_t x, int32_t y)
+{
+    int32_t product;
+
+    if (LIM_HAS_LIMBS) return mul_high_s32(x, y);
+    __asm__("smulwt %0, %1, %2" : "=r"(product) : "r"(x), "r"(y));
+    return product;
+}
+
+static inline int32_t lim_texture_plus_part(int32_t a, int32_t x, int32_t y)
+{
+    int32_t sum;
+
+    if (LIM_HAS_LIMBS) return (int32_t)((uint32_t)a + (uint32_t)mul_high_s32(x, y));
+    __asm__("smlawt %0, %1, %2, %3" : "=r"(sum) : "r"(x), "r"(y), "r"(a));
+    return sum;
+}
+
+#else
+
 static inline int32_t lim_texture_part(int32_t x, int32_t y)
 {
     if (LIM_HAS_LIMBS) return mul_high_s32(x, y);
-#if LIM_DUAL_MULTIPLY && defined(__arm__)
-    int32_t product;
-    __asm__("smulwt %0, %1, %2" : "=r"(product) : "r"(x), "r"(y));
-    return product;
-#else
     if (LIM_LONG_MULTIPLY) return mul_high_s32(x, (int32_t)((uint32_t)y & ~UINT32_C(0xFFFF)));
     return (x >> 16) * (y >> 16) + ((x & 0xFFFF) * (y >> 16) >> 16);
-#endif
 }
 
-/* That and a. */
 static inline int32_t lim_texture_plus_part(int32_t a, int32_t x, int32_t y)
 {
-#if LIM_DUAL_MULTIPLY && defined(__arm__)
-    if (!LIM_HAS_LIMBS) {
-        int32_t sum;
-        __asm__("smlawt %0, %1, %2, %3" : "=r"(sum) : "r"(x), "r"(y), "r"(a));
-        return sum;
-    }
-#endif
     return (int32_t)((uint32_t)a + (uint32_t)lim_texture_part(x, y));
 }
+
+#endif
 
 /* h / depth, doubled, for lim_texture_times(). */
 static inline int32_t lim_texture_h_recip(int32_t h_mantissa, int32_t recip_q31)
