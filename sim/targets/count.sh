@@ -47,7 +47,6 @@ build() {
 }
 
 run() { # PLUGIN
-    [ -z "${KEEPDIR:-}" ] || { rm -rf "$KEEPDIR"; cp -r "$folder" "$KEEPDIR"; }
     target_run "$core" "$folder/image" -icount shift=0 -plugin "$1,ranges=$folder/ranges,out=$folder/counts" \
         >"$folder/hashes"
     sed -n 's/^range \([0-9a-f]*\) .*/\1/p' "$folder/ranges" |
