@@ -26,53 +26,47 @@ static bool can_shorten(const struct lim_nearest *nearest)
            !(LIM_HAS_MOVERS && lim_moves(*nearest->sorter));
 }
 
-static void close_lines_from(struct lim_spans *spans, uint16_t bottom, uint16_t end)
-{
-    for (uint16_t y = bottom; y < end; y++)
-        (void)lim_span_close(spans, &spans->lines[y], 0, INT16_MAX, NULL, NULL);
-    if (spans->open.y1 > bottom) spans->open.y1 = bottom;
-    spans->trimmed = true;
-}
-
-static uint16_t cells_of(const union lim_retained_cell *cells)
+static uint_fast16_t cells_of(const union lim_retained_cell *cells)
 {
     const bool transparent = LIM_HAS_TRANSPARENT && cells[1].look.bottom & LIM_RETAINED_TRANSPARENT;
 
-    return (uint16_t)(LIM_RETAINED_HEAD_CELLS + cells[0].link.n + transparent);
+    return (uint_fast16_t)(LIM_RETAINED_HEAD_CELLS + cells[0].link.n + transparent);
 }
 
-/* Takes a line's list apart: each polygon has `mark` in the place of its link. Returns the cells that they take. */
-static uint16_t unlink_line(struct lim_line *line, union lim_retained_cell *cells, uint16_t mark)
+/* Takes the list of line y apart: each polygon has the line in the place of its link. Returns the cells that they take.
+ */
+static uint_fast16_t unlink_line(const struct lim_nearest *nearest, uint_fast16_t y)
 {
-    uint16_t polygon = line->retained, count = 0;
+    union lim_retained_cell *const cells = nearest->retained.cells;
+    uint16_t *const link = &nearest->spans.lines[y].retained;
+    uint_fast16_t count = 0;
 
-    while (polygon != LIM_NONE) {
-        const uint16_t next = cells[polygon].link.next;
-        cells[polygon].link.next = mark;
-        count = (uint16_t)(count + cells_of(&cells[polygon]));
-        polygon = next;
+    while (*link != LIM_NONE) {
+        union lim_retained_cell *const polygon = &cells[*link];
+        *link = polygon[0].link.next;
+        polygon[0].link.next = (uint16_t)y;
+        count += cells_of(polygon);
     }
-    line->retained = LIM_NONE;
     return count;
 }
 
-/* Takes all lines apart: from the lowest one up they are given up, until that is enough. Polygons of the others have
- * their line in the place of their link. Returns the first line that is given up. */
-static uint16_t unlink_lines(const struct lim_nearest *nearest)
+/* Takes all lines apart. From the lowest one up they are closed and given up, until that is enough. */
+static void give_up(struct lim_nearest *nearest)
 {
-    const uint16_t height = (uint16_t)(nearest->bottom - nearest->top), enough = nearest->retained.used / PART;
-    const uint16_t least = (uint16_t)(nearest->bottom - height / PART),
-                   most = (uint16_t)(nearest->bottom - height / MOST_PART);
-    uint16_t bottom = nearest->bottom, count = 0;
+    const uint_fast16_t top = nearest->top, height = nearest->bottom - top;
+    const uint_fast16_t least = height - height / PART, most = height - height / MOST_PART;
+    uint_fast16_t wanted = nearest->retained.used / PART;
 
-    for (uint16_t y = nearest->bottom; y > nearest->top;) {
-        const bool gives_up = y == bottom && (y > least || (y > most && count < enough));
-        y--;
-        if (gives_up) bottom = y;
-        count = (uint16_t)(count + unlink_line(&nearest->spans.lines[y], nearest->retained.cells,
-                                               gives_up ? (uint16_t)LIM_NONE : y));
+    for (uint_fast16_t row = height; row-- > 0;) {
+        if (row >= least || (row >= most && wanted)) {
+            nearest->bottom = (uint16_t)(top + row);
+            (void)lim_span_close(&nearest->spans, &nearest->spans.lines[top + row], 0, INT16_MAX, NULL, NULL);
+        }
+        const uint_fast16_t count = unlink_line(nearest, top + row);
+        wanted -= count < wanted ? count : wanted;
     }
-    return bottom;
+    if (nearest->spans.open.y1 > nearest->bottom) nearest->spans.open.y1 = nearest->bottom;
+    nearest->spans.trimmed = true;
 }
 
 static void keep_above(struct lim_nearest *nearest)
@@ -84,7 +78,7 @@ static void keep_above(struct lim_nearest *nearest)
     while (from < end) {
         const union lim_retained_cell *const after = from + cells_of(from);
         const uint16_t y = from[0].link.next;
-        if (y != LIM_NONE) {
+        if (y < nearest->bottom) {
             struct lim_line *line = &nearest->spans.lines[y];
             union lim_retained_cell *const self = to;
             do
@@ -102,10 +96,8 @@ static void keep_above(struct lim_nearest *nearest)
 bool lim_room_make(struct lim_nearest *nearest)
 {
     if (!can_shorten(nearest)) return false;
-    const uint16_t bottom = unlink_lines(nearest);
-    close_lines_from(&nearest->spans, bottom, nearest->bottom);
+    give_up(nearest);
     keep_above(nearest);
-    nearest->bottom = bottom;
     nearest->since_shrink = LIM_POLYGONS_PER_SHRINK - 1;
     return true;
 }
