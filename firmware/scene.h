@@ -235,23 +235,6 @@ struct lim_scene {
     LIM_OPTIONAL(lim_index, near_deep_from, LIM_HAS_MESH_DEPTH);
 };
 
-/* 64 bits that lie as words do: so what holds a part with some of them is not larger where that part is left out. */
-#if defined(__GNUC__) && !LIM_8_BIT
-typedef int64_t __attribute__((aligned(4))) lim_word_s64;
-#else
-typedef int64_t lim_word_s64;
-#endif
-
-/* A plane of a scene, n . p = d. */
-struct lim_plane_unpacked {
-    int32_t n[3];
-    lim_word_s64 d;
-    lim_word_s64 slack; /* |n . p - d| up to this is on it: newell.h */
-    bool narrow;        /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
-    uint8_t axis;       /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
-};
-enum { LIM_NO_AXIS = 3 };
-
 LIM_OPTIONAL_END
 
 static inline bool lim_scene_is_mesh(const struct lim_scene *scene)

@@ -220,6 +220,22 @@ struct lim_eye {
     const LIM_FLASH struct lim_plane *planes; /* the scene's: a load less on the way to each */
 };
 
+/* 64 bits that lie as words do: so what holds a part with some of them is not larger where that part is left out. */
+#if defined(__GNUC__) && !LIM_8_BIT
+typedef int64_t __attribute__((aligned(4))) lim_word_s64;
+#else
+typedef int64_t lim_word_s64;
+#endif
+
+/* A plane of a scene, n . p = d. */
+struct lim_plane_unpacked {
+    int32_t n[3];
+    lim_word_s64 d;
+    lim_word_s64 slack; /* |n . p - d| up to this is on it: newell.h */
+    bool narrow;        /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
+    uint8_t axis;       /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
+};
+
 struct lim_portals {
     uint8_t *bits;   /* of boxes; NULL: the scene has no places */
     uint16_t *stack; /* of nodes: a scene with places has few enough */

@@ -9,9 +9,15 @@
 #include "screen/small.h"
 #include "stages.h"
 
-#if LIM_8_BIT
+#if !EDGE_HAS_SMALL
 
 static inline bool begin_low(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
+{
+    (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
+    return false;
+}
+
+static inline bool begin_small(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
 {
     (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
     return false;
@@ -22,6 +28,10 @@ static inline bool begin_medium(struct lim_edge *edge, int32_t ax, int32_t ay, i
     (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
     return false;
 }
+
+#endif
+
+#if LIM_8_BIT
 
 static inline bool begin_short(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y,
                                int32_t end)
@@ -122,26 +132,27 @@ static inline void set_by(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t
     set_ahead(edge, ax, start - bias + from_top * step, step);
 }
 
-/* begin_short() of an edge that is small, whatever its lines. false: it is not. */
-static inline bool begin_small(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
+/* begin_short() of an edge of these heights, up to so wide, whatever its lines. false: it is none. */
+static inline bool begin_from_table(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y,
+                                    int32_t least_dy, int32_t end_dy, int32_t most_dx)
 {
     const int32_t dx = bx - ax, dy = by - ay;
 
-    if ((uint32_t)(dy - SMALL_LEAST_DY) >= SMALL_DY - SMALL_LEAST_DY) return false;
-    if ((uint32_t)(dx + SMALL_DX) >= 2 * SMALL_DX) return false;
+    if ((uint32_t)(dy - least_dy) >= (uint32_t)(end_dy - least_dy)) return false;
+    if ((uint32_t)(dx + most_dx) >= 2 * (uint32_t)most_dx) return false;
     set_by(edge, ax, ay, dx, dy, y, small_recip(dy), SMALL_SHIFT, SMALL_BIAS);
     return true;
 }
 
-/* The same of one that is lower, and narrower. */
+static inline bool begin_small(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
+{
+    return begin_from_table(edge, ax, ay, bx, by, y, SMALL_LEAST_DY, SMALL_DY, SMALL_DX);
+}
+
+/* Lower ones, if they are narrower. */
 static inline bool begin_low(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
 {
-    const int32_t dx = bx - ax, dy = by - ay;
-
-    if ((uint32_t)(dy - LOW_LEAST_DY) >= SMALL_LEAST_DY - LOW_LEAST_DY) return false;
-    if ((uint32_t)(dx + LOW_DX) >= 2 * LOW_DX) return false;
-    set_by(edge, ax, ay, dx, dy, y, small_recip(dy), SMALL_SHIFT, SMALL_BIAS);
-    return true;
+    return begin_from_table(edge, ax, ay, bx, by, y, LOW_LEAST_DY, SMALL_LEAST_DY, LOW_DX);
 }
 
 static inline bool begin_medium(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
@@ -152,26 +163,6 @@ static inline bool begin_medium(struct lim_edge *edge, int32_t ax, int32_t ay, i
     if ((uint32_t)(dx + SMALL_DX) >= 2 * SMALL_DX) return false;
     set_by(edge, ax, ay, dx, dy, y, medium_recip(dy), MEDIUM_SHIFT, MEDIUM_BIAS);
     return true;
-}
-
-#else
-
-static inline bool begin_low(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
-{
-    (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
-    return false;
-}
-
-static inline bool begin_small(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
-{
-    (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
-    return false;
-}
-
-static inline bool begin_medium(struct lim_edge *edge, int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t y)
-{
-    (void)edge, (void)ax, (void)ay, (void)bx, (void)by, (void)y;
-    return false;
 }
 
 #endif

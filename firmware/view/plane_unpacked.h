@@ -5,9 +5,9 @@
 #define LIM_PLANE_UNPACKED_H
 
 #include "math/fixed.h"
-#include "scene.h"
+#include "stages.h"
 
-enum { LIM_CORNER_ONE_Q12 = 4096 };
+enum { LIM_CORNER_ONE_Q12 = 4096, LIM_NO_AXIS = 3 };
 
 void lim_plane_unpack(struct lim_plane_unpacked *plane, const struct lim_scene *scene,
                       const LIM_FLASH struct lim_plane_ref *ref);

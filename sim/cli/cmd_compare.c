@@ -230,7 +230,7 @@ static void comparing_free(struct comparing *comparing)
     camera_path_free(&comparing->cost_path);
     free(comparing->table.rows);
     free(comparing->cells);
-    measure_request_free(&comparing->request);
+    compile_options_free(&comparing->request.compile);
 }
 
 int cmd_compare(int argc, char **argv)

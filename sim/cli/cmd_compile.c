@@ -46,7 +46,7 @@ int cmd_compile(int argc, char **argv)
     struct compile_request request;
     struct error err;
     bool ok = compile_request_parse(argc, argv, &request, &err) && is_asked(&request, &err) && run(&request, &err);
-    compile_request_free(&request);
+    compile_options_free(&request.compile);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -225,7 +225,7 @@ int cmd_export(int argc, char **argv)
     struct arguments arguments = {items, argc};
     const bool ok = parse(&arguments, &request, &err) && run(&request, &err);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
-    compile_request_free(&request.compile);
+    compile_options_free(&request.compile.compile);
     free(request.command);
     free(items);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;

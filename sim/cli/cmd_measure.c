@@ -216,7 +216,7 @@ static void measurement_free(struct measurement *measurement)
     free(measurement->candidates);
     free(measurement->accuracies);
     free(measurement->table.rows);
-    measure_request_free(&measurement->request);
+    compile_options_free(&measurement->request.compile);
 }
 
 int cmd_measure(int argc, char **argv)

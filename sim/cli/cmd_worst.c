@@ -203,7 +203,7 @@ int cmd_worst(int argc, char **argv)
     work_folder_remove(&worst.folder);
     measure_source_free(&worst.source);
     compiled_free(&worst.scene);
-    measure_request_free(&worst.request);
+    compile_options_free(&worst.request.compile);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

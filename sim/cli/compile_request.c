@@ -331,11 +331,6 @@ bool compile_request_run(struct compile_request *request, struct compile_result 
     return (!request->name || name_all(request, out, err)) && choose(request, err) && compile_all(request, out, err);
 }
 
-void compile_request_free(struct compile_request *request)
-{
-    camera_path_free(&request->compile.path);
-}
-
 void compile_result_free(struct compile_result *result)
 {
     for (size_t i = 0; i < result->count; i++) {

@@ -38,9 +38,6 @@ struct compile_result {
 /* Reads the options of `limner compile`, -o among them; what is left are models. argv[0] is the command. */
 bool compile_request_parse(int argc, char **argv, struct compile_request *out, struct error *err);
 
-/* After the results, which may lead into it; whether it was parsed or not. */
-void compile_request_free(struct compile_request *request);
-
 /* Chooses a precision if a bound asks for one, and compiles all models. compile_result_free() in any case. */
 bool compile_request_run(struct compile_request *request, struct compile_result *out, struct error *err);
 

@@ -3,6 +3,7 @@
  * A method may need a tree of its own kind, or none. */
 #include "compiler/compile_options.h"
 
+#include "cameras/camera_choice.h"
 #include "model/baked_light.h"
 
 bool compile_options_settle(struct compile_options *options, struct error *err)
@@ -22,8 +23,17 @@ bool compile_options_settle(struct compile_options *options, struct error *err)
 
 bool compile_path_parse(const char *text, struct compile_options *out, struct error *err)
 {
+    struct camera_choice choice;
+    if (!camera_choice_parse(text, &choice, err)) return false;
+    if (choice.random_count) return error_set(err, "--path %s: a program's cameras are in a file, not at random", text);
+    choice.takes_times = true;
     camera_path_free(&out->path);
-    return camera_path_read(text, &out->path, err);
+    return camera_choice_read(&choice, &out->path, err);
+}
+
+void compile_options_free(struct compile_options *options)
+{
+    camera_path_free(&options->path);
 }
 
 bool compile_method_parse(const char *text, struct compile_options *out, struct error *err)

@@ -44,13 +44,16 @@ struct compile_options {
     double near_m;                  /* of the cameras that it is for; 0: lens_default_near_m() */
     double forced_near_m;    /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
     bool drop_small;         /* leave out what is too small for the grid, instead of refusing the model */
-    struct camera_path path; /* cameras that it is chosen for; whoever has the options frees it. Empty: sampled ones */
+    struct camera_path path; /* cameras that it is chosen for, compile_options_free()'s; empty: sampled ones */
     size_t worst_tries;      /* cameras to search the worst views among, for pools that hold them; 0: none */
     bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
 };
 
-/* --path: reads a camera file. What was read before is freed. */
+/* --path: reads a camera file, or a map's cameras. What was read before is freed. */
 bool compile_path_parse(const char *text, struct compile_options *out, struct error *err);
+
+/* What options own: after the scenes, which may lead into it, whether they were parsed or not. */
+void compile_options_free(struct compile_options *options);
 
 /* --method: names how to draw and, for some methods, the tree. */
 bool compile_method_parse(const char *text, struct compile_options *out, struct error *err);

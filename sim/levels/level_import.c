@@ -9,6 +9,7 @@
 #include "levels/level_sectors.h"
 #include "levels/level_walls.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -61,39 +62,37 @@ static void add_polygon(void *context, const int32_t (*points)[2], size_t count,
 
 /* Notices ------------------------------------------------------------------------------------ */
 
-static void note_sectors(const struct level_sectors *sectors, struct model *model)
+__attribute__((format(printf, 2, 3))) static void note(struct model *model, const char *format, ...)
 {
     char text[128];
-    if (sectors->crossing_count) {
-        snprintf(text, sizeof text, "lines that cross others: %zu, LINEDEFS %u among them; floors follow the others",
-                 sectors->crossing_count, sectors->first_crossing);
-        model_note(model, text);
-    }
-    if (sectors->astray_count) {
-        snprintf(text, sizeof text, "lines that name a sector which is not there: %zu, LINEDEFS %u among them",
-                 sectors->astray_count, sectors->first_astray);
-        model_note(model, text);
-    }
-    if (sectors->open_count) {
-        snprintf(text, sizeof text, "sectors that no lines close: %zu, SECTORS %u among them; they end somewhere",
-                 sectors->open_count, sectors->first_open);
-        model_note(model, text);
-    }
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    model_note(model, text);
+}
+
+static void note_sectors(const struct level_sectors *sectors, struct model *model)
+{
+    if (sectors->crossing_count)
+        note(model, "lines that cross others: %zu, LINEDEFS %u among them; floors follow the others",
+             sectors->crossing_count, sectors->first_crossing);
+    if (sectors->astray_count)
+        note(model, "lines that name a sector which is not there: %zu, LINEDEFS %u among them", sectors->astray_count,
+             sectors->first_astray);
+    if (sectors->open_count)
+        note(model, "sectors that no lines close: %zu, SECTORS %u among them; they end somewhere", sectors->open_count,
+             sectors->first_open);
 }
 
 static void note_textures(const struct level_textures *textures, struct model *model)
 {
-    char text[128];
-    if (textures->unknown_count) {
-        snprintf(text, sizeof text, "textures that are missing: %zu, %s among them; grey instead",
-                 textures->unknown_count, textures->unknown);
-        model_note(model, text);
-    }
-    if (textures->broken_count) {
-        snprintf(text, sizeof text, "parts of textures that are broken or missing: %zu, %s of %s among them",
-                 textures->broken_count, textures->broken_part, textures->broken);
-        model_note(model, text);
-    }
+    if (textures->unknown_count)
+        note(model, "textures that are missing: %zu, %s among them; grey instead", textures->unknown_count,
+             textures->unknown);
+    if (textures->broken_count)
+        note(model, "parts of textures that are broken or missing: %zu, %s of %s among them", textures->broken_count,
+             textures->broken_part, textures->broken);
 }
 
 /* -------------------------------------------------------------------------------------------- */

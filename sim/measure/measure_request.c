@@ -351,11 +351,6 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
     return compile_options_settle(&out->compile, err);
 }
 
-void measure_request_free(struct measure_request *request)
-{
-    camera_path_free(&request->compile.path);
-}
-
 bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,
                           struct camera_path *path, struct error *err)
 {

@@ -43,9 +43,6 @@ struct measure_request {
  * scene profile fast, and no processor. The strings stay argv's. */
 bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err);
 
-/* Whether it was parsed or not. */
-void measure_request_free(struct measure_request *request);
-
 /* Reads the camera file, if there is one, and the model. All three must be zero and are the caller's to free, also
  * after a failure. */
 bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,

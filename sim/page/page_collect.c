@@ -326,5 +326,5 @@ void page_free(struct page *page)
     measure_scenes_free(&page->scenes);
     measure_source_free(&page->source);
     camera_path_free(&page->path);
-    measure_request_free(&page->request);
+    compile_options_free(&page->request.compile);
 }

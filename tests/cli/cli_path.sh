@@ -63,6 +63,11 @@ what_moves_has_times() {
     compiled moving sim/scenes/movers.gltf --path "$work/times.cam" && says 'cameras +48 of .*times.cam: chosen'
 }
 
+a_map_has_cameras() {
+    map=/usr/share/games/doom/freedoom2.wad:MAP01
+    compiled map "$map" --no-textures --path "$map" && says "cameras +[1-9][0-9]+ of $map: chosen for these"
+}
+
 measured_as_compiled() {
     "$BUILD/limner" measure sim/scenes/teapot.obj --camera sim/scenes/teapot.cam --path sim/scenes/teapot.cam --precision fast \
         --no-cost -o "$work/measured" >"$work/said" && says 'by depth'
@@ -80,6 +85,8 @@ refuses_broken_lines() {
     refused '^limner: .*/broken.cam:2: ' "$work/broken.cam"
 }
 
+refuses_random_ones() { refused '^limner: --path random:1: ' random:1; }
+
 refuses_far_eyes() {
     printf '0 0 5 0 0 0\n1e9 0 0 0 0 0\n' >"$work/far.cam"
     refused '/far.cam:2: the eye is too far' "$work/far.cam"
@@ -92,8 +99,10 @@ tap_check 'pools are no larger than the path takes' pools_are_the_path_s
 tap_check 'no frame of a path takes a second walk' no_second_walk
 tap_check 'all other views are drawn, too' other_views_are_drawn
 tap_check 'cameras may have times' what_moves_has_times
+tap_check 'they may be the players and things of a map' a_map_has_cameras
 tap_check 'measure compiles in the same way' measured_as_compiled
 tap_check 'a missing file is refused' refuses_missing_files
 tap_check 'a line that is no camera is refused' refuses_broken_lines
+tap_check 'cameras at random are refused, which no program has' refuses_random_ones
 tap_check 'an eye out of range is refused, with its line' refuses_far_eyes
 tap_done
