@@ -99,7 +99,7 @@ static inline void set_span(struct sink *sink, struct lim_active *active, const 
     sink->span->right = (int16_t)right;
 }
 
-/* Whether a piece is nothing else, as most are that have a texture. */
+/* Whether all that a piece takes are texels in perspective, as most textured pieces do. */
 static inline bool is_perspective(const struct sink *sink)
 {
     const bool is_painted = LIM_HAS_TEXTURE && !LIM_HAS_DELTA && !LIM_HAS_WIREFRAME && !LIM_HAS_STATS;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Input: a band in the middle of pass one. Output: the same, lower, as if it had never had the lines below. To find all
- * of a band again costs a walk; to give up its lowest lines costs what was found for these alone. They are an eighth of
- * the band or more, and an eighth of what is retained starts on them, or more: the pool is moved up each time, which is
- * to pay. Memory: none of its own. Retained polygons come one after the other in their pool, so those that stay are
- * moved up to one another in that order, and linked into their lines as they were when they came. */
+ * of a band again costs a walk; to give up its lowest lines costs what was found for these alone. At least an eighth of
+ * the lines goes. More go, up to half of them, until an eighth of the pool is free: each time the pool is moved up, so
+ * it should seldom be. Memory: none of its own. Retained polygons come one after the other in their pool. Those that
+ * stay are moved up to one another in that order, and linked into their lines as they were when they came. */
 #include "orders/room.h"
 
 #include "lines/retain.h"
