@@ -29,6 +29,8 @@ LIM_STATIC_ASSERT(!LIM_HAS_FRAMEBUFFER || LIM_HAS_NEAREST || LIM_HAS_PAINTER,
                   "LIM_HAS_FRAMEBUFFER needs LIM_HAS_NEAREST or LIM_HAS_PAINTER");
 LIM_STATIC_ASSERT(!LIM_HAS_PORTALS || (LIM_HAS_TREE && LIM_HAS_CULL),
                   "LIM_HAS_PORTALS needs LIM_HAS_CULL and an order that walks the tree");
+LIM_STATIC_ASSERT(!LIM_HAS_MESH_LEAVES || (LIM_HAS_LEAVES && LIM_HAS_TREE),
+                  "LIM_HAS_MESH_LEAVES needs LIM_HAS_LEAVES and an order that walks the tree");
 LIM_STATIC_ASSERT(LIM_HAS_LINES ||
                       (LIM_HAS_FILL && !LIM_HAS_HIDDEN && !LIM_HAS_MESHES && !LIM_HAS_TEXTURE && !LIM_HAS_DELTA),
                   "LIM_HAS_LINES may be 0 where LIM_HAS_FILL is 1, and nothing is linked that asks for lines");
@@ -87,6 +89,7 @@ LIM_STATIC_ASSERT(LIM_MAX_VERTICES >= 3 && LIM_MAX_VERTICES <= 250, "LIM_MAX_VER
     LIM_AGREED(LIM_HAS_LARGE, ".large")                                                                                \
     LIM_AGREED(LIM_HAS_WIDE, ".wide")                                                                                  \
     LIM_AGREED(LIM_HAS_LEAVES, ".leaves")                                                                              \
+    LIM_AGREED(LIM_HAS_MESH_LEAVES, ".mesh_leaves")                                                                    \
     LIM_AGREED(LIM_HAS_TRANSPARENT, ".transparent")                                                                    \
     LIM_AGREED(LIM_HAS_TEXTURE, ".texture")                                                                            \
     LIM_AGREED(LIM_HAS_WIREFRAME, ".wireframe")                                                                        \

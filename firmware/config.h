@@ -179,6 +179,10 @@
 #ifndef LIM_HAS_LEAVES
 #define LIM_HAS_LEAVES 1
 #endif
+/* Leaves whose order is by distance. */
+#ifndef LIM_HAS_MESH_LEAVES
+#define LIM_HAS_MESH_LEAVES LIM_BOTH(LIM_HAS_LEAVES, LIM_HAS_TREE)
+#endif
 /* Polygons that what lies behind them shines through. */
 #ifndef LIM_HAS_TRANSPARENT
 #define LIM_HAS_TRANSPARENT 1
@@ -208,7 +212,7 @@
 #define LIM_HAS_OVERLAY 1
 #endif
 
-/* 1: what paints nearest first leaves out what round glass does not show. */
+/* 1: what paints nearest first leaves out what round glass hides. */
 #ifndef LIM_HAS_ROUND
 #define LIM_HAS_ROUND LIM_HAS_SPANS
 #endif
@@ -218,8 +222,7 @@
 #define LIM_HAS_FILL LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_CONVEX)
 #endif
 
-/* 1: a target may have all its pixels in memory, lim_target.framebuffer: nearest first and the painter paint each
- * polygon there as it comes. */
+/* 1: a target may have all its pixels in memory, lim_target.framebuffer, where polygons are painted as they come. */
 #ifndef LIM_HAS_FRAMEBUFFER
 #define LIM_HAS_FRAMEBUFFER LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_PAINTER)
 #endif
@@ -230,7 +233,7 @@
 #define LIM_NEWELL_EFFORT 256u
 #endif
 
-/* 0: all targets are filled, and no line is ever lent. */
+/* 0: no line is ever lent. */
 #ifndef LIM_HAS_LINES
 #define LIM_HAS_LINES 1
 #endif
@@ -268,8 +271,8 @@
 #endif
 #endif
 
-/* The walk through the tree serves three orders, of which two paint lines, a sorted list of polygons two others; spans
- * serve all that paint nearest first, and a vertex beside the view is left out by all that look for what is hidden. */
+/* The walk through the tree serves three orders, of which two paint lines, a sorted list two others; spans serve all
+ * that paint nearest first, and a vertex beside the view is left out by all that look for what is hidden. */
 #define LIM_HAS_WALKED LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_SCANLINE)
 #define LIM_HAS_TREE LIM_EITHER(LIM_HAS_WALKED, LIM_HAS_PAINTER)
 #define LIM_HAS_SORTED LIM_EITHER(LIM_HAS_DEPTH, LIM_HAS_NEWELL)
@@ -293,7 +296,7 @@
 /* What nearest first leaves to the painter's order where its pools are too small, line by line. */
 #define LIM_HAS_FALLBACK (LIM_HAS_SPANS && (LIM_HAS_TRANSPARENT || LIM_HAS_WIREFRAME))
 
-/* Whether there are lists of polygons; whether anything is painted back to front. */
+/* Whether there are lists of polygons, and anything that is painted back to front. */
 #define LIM_HAS_LISTS (LIM_HAS_SORTED || LIM_HAS_MOVERS)
 #define LIM_HAS_PAINTED (LIM_HAS_PAINTER || LIM_HAS_FALLBACK)
 
@@ -366,8 +369,8 @@
 #define LIM_VIEW_CACHE_ENTRIES 64
 #endif
 
-/* Const scene data lives in flash. Only AVR needs another address space to reach it. C++ has none: there such a pointer
- * has the same bits, may be passed on to C, and must not be dereferenced (pgm_read_word() of avr-libc reads it). */
+/* Const scene data lives in flash. Only AVR needs another address space for it. C++ has none: there such a pointer has
+ * the same bits, may be passed on to C, and must not be dereferenced (pgm_read_word() of avr-libc reads it). */
 #if defined(__AVR__) && !defined(__cplusplus)
 #define LIM_FLASH __flash
 #else
@@ -444,7 +447,7 @@
 #define LIM_HOT_INLINE inline
 #endif
 
-/* Before a loop of n turns: written out n times, likewise. */
+/* Before a loop of n turns, which are written out. */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
 #define LIM_PRAGMA(words) _Pragma(#words)
 #define LIM_UNROLLED_BY(n) LIM_PRAGMA(GCC unroll n)

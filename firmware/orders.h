@@ -82,6 +82,9 @@ struct lim_movers {
     struct lim_view world; /* of the static scene at half its scale, so that it reaches to 2^16 units */
     LIM_OPTIONAL(struct lim_light, light, LIM_HAS_LIGHT);
     LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL); /* of the object that is being drawn whole */
+    LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES); /* likewise */
+    LIM_OPTIONAL(uint16_t, leaf_vertices, LIM_HAS_MESH_LEAVES);    /* the most that there is room for */
+    LIM_OPTIONAL(uint16_t, leaf_polygons, LIM_HAS_MESH_LEAVES);
 };
 
 /* How LIM_NEWELL works (newell.h). Zero is the default; either gives a right picture. */
@@ -138,6 +141,26 @@ struct lim_sorted {
     int32_t far_qv;   /* view-space z of its farthest vertex, as rows.c scales it */
     lim_index record; /* in scene->polygons */
     uint16_t next;    /* in the list, or LIM_NONE */
+};
+
+/* A polygon of a mesh leaf that faces the eye. */
+struct lim_mesh_entry {
+    lim_index record; /* in scene->polygons */
+    uint16_t next;    /* of those that are about as near, or LIM_NONE */
+    uint16_t key;     /* what is drawn first has the lower one */
+};
+enum { LIM_MESH_LEAF_LISTS = 64 };
+
+/* A mesh leaf that is being drawn (mesh_leaf.h). */
+struct lim_mesh_leaf {
+    struct lim_point *points; /* of its vertices, on the screen */
+    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
+    struct lim_mesh_entry *entries;
+    lim_index first;                     /* its first vertex */
+    uint16_t used;                       /* entries */
+    uint16_t lists[LIM_MESH_LEAF_LISTS]; /* in the order of drawing, by nearness */
+    uint8_t list;                        /* the one that is being drawn */
+    uint8_t near_shift, extent;          /* as struct lim_mesh has them */
 };
 
 /* A list of the scene's polygons, once a frame; or of movers and their pieces, in the walk through a tree. */
@@ -449,6 +472,11 @@ struct lim_mesh {
                           (sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) + sizeof(struct lim_cut)) +   \
                       LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
                       ((size_t)(depth) + (object_depth)) * sizeof(struct lim_route_pending))
+
+/* Beside that of a scene with mesh leaves, or of movers: `vertex_count` and `polygon_count` as limits.leaf_... */
+#define LIM_MESH_LEAF_MEM_B(vertex_count, polygon_count)                                                               \
+    LIM_MEM_ALIGNED_B((size_t)(vertex_count) * (sizeof(struct lim_point) + sizeof(uint16_t)) +                         \
+                      (size_t)(polygon_count) * sizeof(struct lim_mesh_entry))
 
 /* What lim_set_antialias() borrows: a line's sums, and which samples are closed where that has to do without gaps. */
 #define LIM_ANTIALIAS_MEM_B(w_px) (((size_t)(w_px) * (sizeof(uint32_t) + sizeof(uint16_t)) + 3) & ~(size_t)3)

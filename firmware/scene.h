@@ -12,7 +12,7 @@
 
 /* The form of a scene's NAME.c and NAME.h, which say for which one they were written. It changes whenever files that
  * were written before would compile to something wrong. */
-#define LIM_SCENE_FORMAT 9
+#define LIM_SCENE_FORMAT 10
 
 /* An index into a scene's arrays, and a word of its polygons. Wide scenes have more than 16 bits can count. */
 #if LIM_HAS_WIDE
@@ -90,15 +90,21 @@ struct lim_plane_ref {
  * word 1: colour, RGB565 as a number (red in bits 11..15);
  * then one vertex index a word, counter-clockwise seen from the side that the polygon faces;
  * then what the flags announce, in their order.
- * The records of a node's run share its plane and a facing. Those of a leaf have planes of their own. */
+ * The records of a node's run share its plane and a facing. Those of a leaf have planes of their own, but in a mesh
+ * leaf, whose order is by distance: there a record faces the side from which its corners run counter-clockwise. */
 #define LIM_POLYGON_COUNT 0x00FFu
 #define LIM_POLYGON_PLANE 0x0100u   /* its plane, a struct lim_plane_ref: two words */
 #define LIM_POLYGON_BACK 0x0200u    /* it faces the back of that plane */
 #define LIM_POLYGON_ALPHA 0x0400u   /* its alpha, a word: 1..254, of 255 */
 #define LIM_POLYGON_EDGES 0x0800u   /* an edge a bit, (n + 15) / 16 words: bit k set, and wireframe leaves edge k out */
 #define LIM_POLYGON_TEXTURE 0x1000u /* indices of its texture and of its mapping: two words, the last ones */
+#define LIM_POLYGON_MESH 0x2000u    /* the first of a mesh leaf: four words (LIM_MESH_LEAF_...), before the texture's */
 #define LIM_POLYGON_LAST 0x8000u
-enum { LIM_POLYGON_HEAD_WORDS = 2, LIM_POLYGON_TEXTURE_WORDS = 2 };
+enum { LIM_POLYGON_HEAD_WORDS = 2, LIM_POLYGON_TEXTURE_WORDS = 2, LIM_POLYGON_MESH_WORDS = 4 };
+
+/* What the first record of a mesh leaf says of all of it. Its corners are among vertices first .. first + count - 1, 1
+ * or more, which no record outside of the leaf has to leave alone; the box holds them. */
+enum { LIM_MESH_LEAF_FIRST, LIM_MESH_LEAF_COUNT, LIM_MESH_LEAF_POLYGONS, LIM_MESH_LEAF_BOX };
 
 /* A scene of no nodes is a mesh: for LIM_MESH and LIM_MESH_DEPTH alone, as those draw no others. Its records are
  * triangles of LIM_TRIANGLE_WORDS words: three vertex indices, counter-clockwise seen from the side that it faces, and
@@ -110,7 +116,7 @@ enum { LIM_POLYGON_HEAD_WORDS = 2, LIM_POLYGON_TEXTURE_WORDS = 2 };
 enum { LIM_TRIANGLE_WORDS = 4, LIM_TRIANGLE_TEXTURES = 512, LIM_TRIANGLE_TEXTURE_BITS = 9 };
 
 /* A leaf has no plane and no children; its front_run comes in an order that is right from everywhere, nearest
- * first (sets without a tree: in any order), and is never LIM_NO_INDEX. */
+ * first (sets without a tree, and mesh leaves: in any order), and is never LIM_NO_INDEX. */
 struct lim_node {
     struct lim_plane_ref split;
     lim_index front, back; /* child nodes on either side of the plane, or LIM_NO_INDEX */
@@ -199,6 +205,8 @@ struct lim_limits {
     uint16_t active;         /* polygons that cross one line, beyond those that find room elsewhere */
     uint16_t pieces;         /* LIM_NEWELL: how often polygons are split */
     uint16_t layers;         /* pieces of transparent polygons on one line; 0: there are no such polygons */
+    uint16_t leaf_vertices;  /* most vertices of any mesh leaf; 0: there is none */
+    uint16_t leaf_polygons;  /* most polygons of any, 0..32767 */
 };
 
 LIM_OPTIONAL_BEGIN
@@ -317,6 +325,7 @@ static inline uint16_t lim_record_words(lim_index head)
     if (LIM_HAS_TRANSPARENT && head & LIM_POLYGON_ALPHA) words++;
     if (LIM_HAS_WIREFRAME && head & LIM_POLYGON_EDGES)
         words = (uint16_t)(words + ((head & LIM_POLYGON_COUNT) + 15) / 16);
+    if (LIM_HAS_MESH_LEAVES && head & LIM_POLYGON_MESH) words += LIM_POLYGON_MESH_WORDS;
     if (LIM_HAS_TEXTURE && head & LIM_POLYGON_TEXTURE) words += LIM_POLYGON_TEXTURE_WORDS;
     return words;
 }
@@ -337,6 +346,18 @@ static inline uint16_t lim_record_alpha_at(lim_index head)
 static inline uint16_t lim_record_edges_at(lim_index head)
 {
     return lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE | LIM_POLYGON_ALPHA));
+}
+
+/* Whether a run that begins with this record is a mesh leaf's. */
+static inline bool lim_is_mesh_leaf(const LIM_FLASH lim_index *record)
+{
+    return LIM_HAS_MESH_LEAVES && record[0] & LIM_POLYGON_MESH;
+}
+
+/* What it says of the leaf: LIM_MESH_LEAF_... */
+static inline const LIM_FLASH lim_index *lim_mesh_leaf_words(const LIM_FLASH lim_index *record)
+{
+    return record + lim_record_words(record[0] & ~(lim_index)(LIM_POLYGON_MESH | LIM_POLYGON_TEXTURE));
 }
 
 /* The plane that lim_plane_ref.plane names, if not an axis plane. */
