@@ -16,6 +16,26 @@ LIM_OPTIONAL_BEGIN
 
 /* Lists, and what moves ------------------------------------------------------------------------------------------- */
 
+/* A polygon of a mesh leaf that faces the eye. */
+struct lim_mesh_entry {
+    lim_index record; /* in scene->polygons */
+    uint16_t next;    /* of those that are about as near, or LIM_NONE */
+    uint16_t key;     /* what is drawn first has the lower one */
+};
+enum { LIM_MESH_LEAF_LISTS = 64 };
+
+/* A mesh leaf that is being drawn (mesh_leaf.h). */
+struct lim_mesh_leaf {
+    struct lim_point *points; /* of its vertices, on the screen */
+    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
+    struct lim_mesh_entry *entries;
+    lim_index first;                     /* its first vertex */
+    uint16_t used;                       /* entries */
+    uint16_t lists[LIM_MESH_LEAF_LISTS]; /* in the order of drawing, by nearness */
+    uint8_t list;                        /* the one that is being drawn */
+    uint8_t near_shift, extent;          /* as struct lim_mesh has them */
+};
+
 /* An instance as this frame has it. */
 struct lim_mover {
     struct lim_view view;    /* in the object's coordinates; the cache is shared */
@@ -81,7 +101,7 @@ struct lim_movers {
     struct lim_kept_corners kept[LIM_KEPT_CORNERS];    /* of this walk, lately */
     struct lim_view world; /* of the static scene at half its scale, so that it reaches to 2^16 units */
     LIM_OPTIONAL(struct lim_light, light, LIM_HAS_LIGHT);
-    LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL); /* of the object that is being drawn whole */
+    LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);             /* of the object that is being drawn whole */
     LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES); /* likewise */
     LIM_OPTIONAL(uint16_t, leaf_vertices, LIM_HAS_MESH_LEAVES);    /* the most that there is room for */
     LIM_OPTIONAL(uint16_t, leaf_polygons, LIM_HAS_MESH_LEAVES);
@@ -143,26 +163,6 @@ struct lim_sorted {
     uint16_t next;    /* in the list, or LIM_NONE */
 };
 
-/* A polygon of a mesh leaf that faces the eye. */
-struct lim_mesh_entry {
-    lim_index record; /* in scene->polygons */
-    uint16_t next;    /* of those that are about as near, or LIM_NONE */
-    uint16_t key;     /* what is drawn first has the lower one */
-};
-enum { LIM_MESH_LEAF_LISTS = 64 };
-
-/* A mesh leaf that is being drawn (mesh_leaf.h). */
-struct lim_mesh_leaf {
-    struct lim_point *points; /* of its vertices, on the screen */
-    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
-    struct lim_mesh_entry *entries;
-    lim_index first;                     /* its first vertex */
-    uint16_t used;                       /* entries */
-    uint16_t lists[LIM_MESH_LEAF_LISTS]; /* in the order of drawing, by nearness */
-    uint8_t list;                        /* the one that is being drawn */
-    uint8_t near_shift, extent;          /* as struct lim_mesh has them */
-};
-
 /* A list of the scene's polygons, once a frame; or of movers and their pieces, in the walk through a tree. */
 struct lim_sorter {
     struct lim_pass *pass;
@@ -171,6 +171,7 @@ struct lim_sorter {
     uint16_t size, used;
     uint16_t first; /* of the list; once the frame is ordered, the nearest */
     bool comparing; /* movers by newell.c: what it wants to know of pieces is kept up */
+    LIM_OPTIONAL(struct lim_mesh_leaf *, leaf, LIM_HAS_MESH_LEAVES); /* of the static scene */
     LIM_OPTIONAL(struct lim_newell, newell, LIM_HAS_PIECES);
 };
 
@@ -240,6 +241,7 @@ struct lim_painter {
     struct lim_pass *pass;
     LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS); /* of a sorted method's polygons, or of movers */
     LIM_OPTIONAL(uint16_t *, lent, LIM_HAS_FALLBACK); /* the line that nearest first could not finish, or NULL */
+    LIM_OPTIONAL(struct lim_mesh_leaf *, leaf, LIM_HAS_MESH_LEAVES);
 };
 
 /* How far a frame is that lim_frame_begin() began. */
@@ -264,6 +266,7 @@ struct lim_nearest {
     struct lim_pass *pass;
     LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS);      /* of a sorted method's polygons, or of movers */
     LIM_OPTIONAL(struct lim_painter *, painter, LIM_HAS_FALLBACK); /* for lines for which a pool is too small */
+    LIM_OPTIONAL(struct lim_mesh_leaf *, leaf, LIM_HAS_MESH_LEAVES);
     struct lim_spans spans;
     struct lim_retained retained;
     struct lim_paint paint;
@@ -418,7 +421,7 @@ struct lim_mesh {
     struct lim_mesh_active end;     /* of all lists */
     struct lim_mesh_crowd crowd;
     uint16_t pool_size, unused; /* unused: entries from here on */
-    uint8_t near_shift;         /* of lim_view_all(), or lim_view_finer() */
+    uint8_t near_shift;         /* of lim_view_all(), or lim_view_refine() */
     uint8_t extent;             /* enum lim_view_extent */
     uint16_t nearest;           /* where that is LIM_VIEW_CLIPPED: nearness of all that is linked, OR'ed */
     uint32_t parts;             /* lim_bands() */
