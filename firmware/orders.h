@@ -63,6 +63,26 @@ struct lim_kept_corners {
 };
 enum { LIM_KEPT_CORNERS = 2 };
 
+/* A polygon of a mesh leaf that faces the eye. */
+struct lim_mesh_entry {
+    lim_index record; /* in scene->polygons */
+    uint16_t next;    /* of those that are about as near, or LIM_NONE */
+    uint16_t key;     /* what is drawn first has the lower one */
+};
+enum { LIM_MESH_LEAF_LISTS = 64 };
+
+/* A mesh leaf that is being drawn (mesh_leaf.h). */
+struct lim_mesh_leaf {
+    struct lim_point *points; /* of its vertices, on the screen */
+    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
+    struct lim_mesh_entry *entries;
+    lim_index first;                     /* its first vertex */
+    uint16_t used;                       /* entries */
+    uint16_t lists[LIM_MESH_LEAF_LISTS]; /* in the order of drawing, by nearness */
+    uint8_t list;                        /* the one that is being drawn */
+    uint8_t near_shift, extent;          /* as struct lim_mesh has them */
+};
+
 struct lim_movers {
     const struct lim_instance *instances; /* the caller's */
     uint16_t given, count;                /* of this frame, and how many of them there is room for */
@@ -81,7 +101,7 @@ struct lim_movers {
     struct lim_kept_corners kept[LIM_KEPT_CORNERS];    /* of this walk, lately */
     struct lim_view world; /* of the static scene at half its scale, so that it reaches to 2^16 units */
     LIM_OPTIONAL(struct lim_light, light, LIM_HAS_LIGHT);
-    LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL); /* of the object that is being drawn whole */
+    LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);             /* of the object that is being drawn whole */
     LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES); /* likewise */
     LIM_OPTIONAL(uint16_t, leaf_vertices, LIM_HAS_MESH_LEAVES);    /* the most that there is room for */
     LIM_OPTIONAL(uint16_t, leaf_polygons, LIM_HAS_MESH_LEAVES);
@@ -141,26 +161,6 @@ struct lim_sorted {
     int32_t far_qv;   /* view-space z of its farthest vertex, as rows.c scales it */
     lim_index record; /* in scene->polygons */
     uint16_t next;    /* in the list, or LIM_NONE */
-};
-
-/* A polygon of a mesh leaf that faces the eye. */
-struct lim_mesh_entry {
-    lim_index record; /* in scene->polygons */
-    uint16_t next;    /* of those that are about as near, or LIM_NONE */
-    uint16_t key;     /* what is drawn first has the lower one */
-};
-enum { LIM_MESH_LEAF_LISTS = 64 };
-
-/* A mesh leaf that is being drawn (mesh_leaf.h). */
-struct lim_mesh_leaf {
-    struct lim_point *points; /* of its vertices, on the screen */
-    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
-    struct lim_mesh_entry *entries;
-    lim_index first;                     /* its first vertex */
-    uint16_t used;                       /* entries */
-    uint16_t lists[LIM_MESH_LEAF_LISTS]; /* in the order of drawing, by nearness */
-    uint8_t list;                        /* the one that is being drawn */
-    uint8_t near_shift, extent;          /* as struct lim_mesh has them */
 };
 
 /* A list of the scene's polygons, once a frame; or of movers and their pieces, in the walk through a tree. */
