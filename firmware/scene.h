@@ -371,7 +371,7 @@ static inline const LIM_FLASH struct lim_plane *lim_plane_at(const LIM_FLASH str
 /* Moving objects: meshes with compiled scenes of their own, placed anew in each frame.
  *
  *     struct lim_instance instances[2] = {{.object = &ball_scene}, {.object = &door_scene}};
- *     err = lim_movers_init(&lim, mover_mem, sizeof mover_mem, &(struct lim_movers_limits){2, 12, 300});
+ *     err = lim_movers_init(&lim, mover_mem, sizeof mover_mem, &(struct lim_movers_limits){2, 12, 300, 0, 0});
  *     lim_instance_turn(&instances[1], yaw, 0, 0);
  *     err = lim_movers_frame(&lim, &camera, instances, 2);
  *
@@ -401,6 +401,8 @@ struct lim_movers_limits {
     uint16_t instances; /* the most, 0..LIM_INSTANCES_MAX */
     uint16_t depth;     /* the greatest limits.depth of any object */
     uint16_t entries;   /* polygons of objects that reach through planes, pieces, planes that cut them; >= instances */
+    uint16_t leaf_vertices; /* the greatest of any object's limits; 0: no object has a mesh leaf */
+    uint16_t leaf_polygons; /* likewise */
 };
 #define LIM_INSTANCES_MAX 1024
 
