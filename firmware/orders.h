@@ -83,26 +83,6 @@ struct lim_kept_corners {
 };
 enum { LIM_KEPT_CORNERS = 2 };
 
-/* A polygon of a mesh leaf that faces the eye. */
-struct lim_mesh_entry {
-    lim_index record; /* in scene->polygons */
-    uint16_t next;    /* of those that are about as near, or LIM_NONE */
-    uint16_t key;     /* what is drawn first has the lower one */
-};
-enum { LIM_MESH_LEAF_LISTS = 64 };
-
-/* A mesh leaf that is being drawn (mesh_leaf.h). */
-struct lim_mesh_leaf {
-    struct lim_point *points; /* of its vertices, on the screen */
-    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
-    struct lim_mesh_entry *entries;
-    lim_index first;                     /* its first vertex */
-    uint16_t used;                       /* entries */
-    uint16_t lists[LIM_MESH_LEAF_LISTS]; /* in the order of drawing, by nearness */
-    uint8_t list;                        /* the one that is being drawn */
-    uint8_t near_shift, extent;          /* as struct lim_mesh has them */
-};
-
 struct lim_movers {
     const struct lim_instance *instances; /* the caller's */
     uint16_t given, count;                /* of this frame, and how many of them there is room for */
