@@ -51,10 +51,10 @@ static struct front_plane plane_of_corners(const struct lim_scene *scene, const 
     return plane;
 }
 
-/* The plane of a record that has one of its own; a triangle's is that of its corners. */
+/* The plane of a record that has one of its own; a triangle's, and that of a mesh leaf's, is that of its corners. */
 static struct front_plane own_plane(const struct lim_scene *scene, const struct record *record)
 {
-    if (lim_scene_is_mesh(scene)) return plane_of_corners(scene, record);
+    if (!(record->flags & LIM_POLYGON_PLANE)) return plane_of_corners(scene, record);
     const double facing = record->flags & LIM_POLYGON_BACK ? -1.0 : 1.0;
     struct front_plane plane;
     int64_t n[3], d;

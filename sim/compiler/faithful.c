@@ -69,7 +69,7 @@ static double plane_off(const struct judging *judging, const struct original_fac
 {
     int64_t n[3], d;
     double most = 0;
-    if (!ref) return 0; /* a mesh's faces are seen by the corners that are drawn */
+    if (!ref) return 0; /* the faces of a mesh, and of a mesh leaf, are seen by the corners that are drawn */
     plane_exact(&judging->scene->scene, ref, n, &d);
     const double normal[3] = {(double)n[0], (double)n[1], (double)n[2]}, length = sqrt(vec3_dot(normal, normal));
     for (uint32_t k = face->first; k < face->first + face->count; k++) {
@@ -98,7 +98,9 @@ static void note_run(struct judging *judging, const uint32_t *numbers, lim_index
     if (run == LIM_NO_INDEX) return;
     for (size_t word = run;; word += record_at(scene, word).words) {
         const uint32_t face = judging->scene->faces[numbers[word]];
-        if (!judging->planes[face]) judging->planes[face] = split ? split : lim_record_plane(&scene->polygons[word]);
+        const struct lim_plane_ref *own =
+            record_at(scene, word).flags & LIM_POLYGON_PLANE ? lim_record_plane(&scene->polygons[word]) : NULL;
+        if (!judging->planes[face]) judging->planes[face] = split ? split : own;
         if (record_at(scene, word).flags & LIM_POLYGON_LAST) return;
     }
 }

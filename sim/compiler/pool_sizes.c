@@ -429,7 +429,11 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     scene->report.w_px = w_px;
     scene->report.h_px = h_px;
     if (lim_scene_is_mesh(&scene->scene)) return measure_mesh(scene, core, err);
-    struct lim_limits limits = {.depth = scene->scene.limits.depth, .vertices = scene->scene.limits.vertices};
+    const struct lim_limits *known = &scene->scene.limits;
+    struct lim_limits limits = {.depth = known->depth,
+                                .vertices = known->vertices,
+                                .leaf_vertices = known->leaf_vertices,
+                                .leaf_polygons = known->leaf_polygons};
     const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
     const uint32_t cut = method == LIM_NEWELL ? PLENTY_OF_PIECES : 0; /* all others are active once at most */
     struct compiled roomy = roomy_of(scene, scene->scene.polygon_count + cut);

@@ -152,6 +152,7 @@ static void measure_sides(const struct measure_candidate *candidate, const struc
     const struct lim_scene *scene = &candidate->scene->scene;
     for (lim_index i = 0; i < scene->node_count; i++) {
         const struct lim_node *node = &scene->nodes[i];
+        if (node->split.plane == LIM_NO_INDEX && lim_is_mesh_leaf(&scene->polygons[node->front_run])) continue;
         if (node->split.plane == LIM_NO_INDEX)
             measure_leaf_sides(candidate, &scene->polygons[node->front_run], camera->eye_q8, out);
         else

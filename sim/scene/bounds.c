@@ -111,6 +111,14 @@ static void encode_mesh_box(struct encoding *encoding, const struct lim_scene *s
     encoding->boxes[encoding->box_count++] = bounds_box(&bounds);
 }
 
+/* What a mesh leaf's first record says of it; NULL: the node is none. */
+static lim_index *mesh_leaf_words(const struct encoding *encoding, size_t node)
+{
+    const lim_index run = encoding->nodes[node].front_run;
+    if (run == LIM_NO_INDEX || !lim_is_mesh_leaf(&encoding->words[run])) return NULL;
+    return encoding->words + (lim_mesh_leaf_words(&encoding->words[run]) - encoding->words);
+}
+
 void encode_boxes(struct encoding *encoding)
 {
     const struct lim_scene scene = {.vertices = encoding->vertices,
@@ -128,8 +136,10 @@ void encode_boxes(struct encoding *encoding)
     encoding->boxes = grow_zeroed(encoding->node_count, sizeof *encoding->boxes);
     bounds_of_subtrees(&scene, all);
     for (size_t i = 0; i < encoding->node_count; i++) {
-        if (all[i].polygons < SUBTREE_BOX_POLYGONS) continue;
+        lim_index *words = mesh_leaf_words(encoding, i);
+        if (all[i].polygons < SUBTREE_BOX_POLYGONS && !words) continue;
         encoding->nodes[i].box = (lim_index)encoding->box_count;
+        if (words) words[LIM_MESH_LEAF_BOX] = encoding->nodes[i].box;
         encoding->boxes[encoding->box_count++] = bounds_box(&all[i]);
     }
     free(all);

@@ -26,6 +26,11 @@ static void write_spans_memory(FILE *file, const struct compiled *scene, const s
     if (limits->layers) fprintf(file, " + LIM_LAYERS_MEM_B(%u)", (unsigned)limits->layers);
 }
 
+static void write_leaf_memory(FILE *file, unsigned vertices, unsigned polygons)
+{
+    if (polygons) fprintf(file, " + LIM_MESH_LEAF_MEM_B(%u, %u)", vertices, polygons);
+}
+
 /* How wide the target is, the macro is not told: a line of depths is as wide as the renderer draws. */
 static void write_mesh_memory(FILE *file, const struct compiled *scene, const struct lim_limits *limits,
                               const struct needs *needs)
@@ -50,6 +55,7 @@ static void write_memory(FILE *file, const struct compiled *scene, const struct 
         write_mesh_memory(file, scene, &limits, needs);
     else
         write_spans_memory(file, scene, &limits);
+    write_leaf_memory(file, limits.leaf_vertices, limits.leaf_polygons);
     if (scene->scene.place_count)
         fprintf(file, " + LIM_PORTALS_MEM_B(%u, %u)", (unsigned)scene->scene.box_count, (unsigned)limits.depth);
     fputs(")\n", file);

@@ -33,11 +33,16 @@ void c_movers_declare(FILE *file, const struct named_scene *scene, const struct 
     }
     fprintf(file, ". Initialises struct lim_movers_limits; and bytes for lim_movers_init(). */\n");
     fprintf(file, "#define %s_MOVERS %zu\n", name->macro, moving->count);
-    fprintf(file, "#define %s_MOVERS_LIMITS {%u, %u, %u}\n", name->macro, (unsigned)limits->instances,
-            (unsigned)limits->depth, (unsigned)limits->entries);
-    fprintf(file, "#define %s_MOVERS_MEM_B LIM_MOVERS_MEM_B(%u, %u, %u, %u)\n", name->macro,
+    fprintf(file, "#define %s_MOVERS_LIMITS {%u, %u, %u, %u, %u}\n", name->macro, (unsigned)limits->instances,
+            (unsigned)limits->depth, (unsigned)limits->entries, (unsigned)limits->leaf_vertices,
+            (unsigned)limits->leaf_polygons);
+    fprintf(file, "#define %s_MOVERS_MEM_B (LIM_MOVERS_MEM_B(%u, %u, %u, %u)", name->macro,
             (unsigned)scene->scene->scene.limits.depth, (unsigned)limits->instances, (unsigned)limits->depth,
             (unsigned)limits->entries);
+    if (limits->leaf_polygons)
+        fprintf(file, " + LIM_MESH_LEAF_MEM_B(%u, %u)", (unsigned)limits->leaf_vertices,
+                (unsigned)limits->leaf_polygons);
+    fputs(")\n", file);
     if (moving->light.on)
         fprintf(file, "/* Initialises struct lim_light. */\n#define %s_LIGHT {true, {%d, %d, %d}, %u, %u}\n",
                 name->macro, moving->light.to_q14[0], moving->light.to_q14[1], moving->light.to_q14[2],

@@ -275,9 +275,10 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
     write_texture_fields(file, scene, prefix);
     fprintf(file,
             "    .limits = {.depth = %u, .vertices = %u, .retained_cells = %u, .gaps = %u, .active = %u,\n"
-            "               .pieces = %u, .layers = %u},\n};\n",
+            "               .pieces = %u, .layers = %u, .leaf_vertices = %u, .leaf_polygons = %u},\n};\n",
             (unsigned)limits->depth, (unsigned)limits->vertices, (unsigned)limits->retained_cells,
-            (unsigned)limits->gaps, (unsigned)limits->active, (unsigned)limits->pieces, (unsigned)limits->layers);
+            (unsigned)limits->gaps, (unsigned)limits->active, (unsigned)limits->pieces, (unsigned)limits->layers,
+            (unsigned)limits->leaf_vertices, (unsigned)limits->leaf_polygons);
 }
 
 static void write_source(FILE *file, const struct compiled *scene, const struct c_name *prefix,

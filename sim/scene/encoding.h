@@ -34,12 +34,14 @@ struct encoding {
         face_capacity;
     size_t last_record; /* the word with which the newest record begins */
     struct texture_arrays textures;
-    size_t depth, widest; /* nodes on the longest path; most vertices of a record */
-    size_t collapsed;     /* pieces that rounding left without three corners */
-    uint16_t background;  /* RGB565 as a number */
+    size_t depth, widest;                /* nodes on the longest path; most vertices of a record */
+    size_t leaf_vertices, leaf_polygons; /* most of any mesh leaf */
+    size_t collapsed;                    /* pieces that rounding left without three corners */
+    uint16_t background;                 /* RGB565 as a number */
 };
 
-/* Gives every subtree of SUBTREE_BOX_POLYGONS polygons or more its bounding box; a mesh has one of all of it. */
+/* Gives every subtree of SUBTREE_BOX_POLYGONS polygons or more, and every mesh leaf, its bounding box; a mesh has one
+ * of all of it. */
 enum { SUBTREE_BOX_POLYGONS = 4 };
 void encode_boxes(struct encoding *encoding);
 

@@ -22,7 +22,7 @@ struct checker {
     struct error *err;
     uint32_t *depths; /* of each node; 0: no parent seen yet */
     bool *used_words; /* words that belong to a record already */
-    size_t records, words, transparent;
+    size_t records, words, transparent, mesh_leaves;
 };
 
 static bool check_vertices(const struct lim_scene *scene, struct error *err)
@@ -138,15 +138,33 @@ static bool check_alpha(struct checker *work, size_t at)
            error_set(work->err, "polygon at word %zu: transparent, and the limit of layers is 0", at);
 }
 
-/* Records of leaves have planes of their own, and no others. */
-static bool check_flags(const struct checker *work, size_t at, bool in_leaf)
+enum {
+    TAKEN_FLAGS = LIM_POLYGON_PLANE | LIM_POLYGON_BACK | LIM_POLYGON_ALPHA | LIM_POLYGON_EDGES | LIM_POLYGON_TEXTURE |
+                  LIM_POLYGON_MESH
+};
+
+/* Where a run is: in a node, in a leaf with an order, or in a mesh leaf. */
+enum place { IN_NODE, IN_LEAF, IN_MESH_LEAF };
+
+/* In a mesh leaf nothing is flagged but textures, and the first record. */
+static bool check_mesh_flags(const struct checker *work, size_t at, lim_index flags, enum place place, bool is_first)
+{
+    const lim_index barred = LIM_POLYGON_PLANE | LIM_POLYGON_BACK | LIM_POLYGON_ALPHA | LIM_POLYGON_EDGES;
+    if (place == IN_MESH_LEAF && flags & barred)
+        return error_set(work->err, "polygon at word %zu: in a mesh leaf, with a plane, alpha or flags of edges", at);
+    return !(flags & LIM_POLYGON_MESH) || (place == IN_MESH_LEAF && is_first) ||
+           error_set(work->err, "polygon at word %zu: the words of a mesh leaf, of which it is not the first", at);
+}
+
+/* Records of leaves with an order have planes of their own, and no others. */
+static bool check_flags(const struct checker *work, size_t at, enum place place, bool is_first)
 {
     const lim_index flags = work->scene->polygons[at] & ~(lim_index)(LIM_POLYGON_COUNT | LIM_POLYGON_LAST);
-    if (flags & ~(LIM_POLYGON_PLANE | LIM_POLYGON_BACK | LIM_POLYGON_ALPHA | LIM_POLYGON_EDGES | LIM_POLYGON_TEXTURE))
-        return error_set(work->err, "polygon at word %zu: unknown flags", at);
-    if (in_leaf ? !(flags & LIM_POLYGON_PLANE) : flags & (LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
+    if (flags & ~(lim_index)TAKEN_FLAGS) return error_set(work->err, "polygon at word %zu: unknown flags", at);
+    if (!check_mesh_flags(work, at, flags, place, is_first)) return false;
+    if (place == IN_LEAF ? !(flags & LIM_POLYGON_PLANE) : flags & (LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
         return error_set(work->err, "polygon at word %zu: %s", at,
-                         in_leaf ? "in a leaf, without a plane" : "a plane of its own beside its node's");
+                         place == IN_LEAF ? "in a leaf, without a plane" : "a plane of its own beside its node's");
     return !(flags & LIM_POLYGON_ALPHA) || !(flags & LIM_POLYGON_TEXTURE) ||
            error_set(work->err, "polygon at word %zu: transparent and textured at once", at);
 }
@@ -180,12 +198,12 @@ static bool check_texture_words(const struct checker *work, size_t at)
                      (unsigned)scene->texture_count, (unsigned)words[1], (unsigned)scene->mapping_count);
 }
 
-static bool check_record(struct checker *work, size_t at, bool in_leaf)
+static bool check_record(struct checker *work, size_t at, enum place place, bool is_first)
 {
     const struct lim_scene *scene = work->scene;
     const lim_index head = scene->polygons[at], count = head & LIM_POLYGON_COUNT;
     const size_t words = lim_record_words(head);
-    if (!check_flags(work, at, in_leaf)) return false;
+    if (!check_flags(work, at, place, is_first)) return false;
     if (count < 3 || count > scene->limits.vertices)
         return error_set(work->err, "polygon at word %zu: %u vertices", at, (unsigned)count);
     if (at + words > scene->polygon_words) return error_set(work->err, "polygon at word %zu: runs over the end", at);
@@ -201,17 +219,24 @@ static bool check_record(struct checker *work, size_t at, bool in_leaf)
     work->records++;
     work->words += words;
     if (!check_texture_words(work, at)) return false;
-    return !in_leaf || check_plane_ref(work, lim_record_plane(&scene->polygons[at]), "polygon at word", at);
+    return place != IN_LEAF || check_plane_ref(work, lim_record_plane(&scene->polygons[at]), "polygon at word", at);
+}
+
+/* By the run's first record, if there is one. */
+static enum place place_of(const struct lim_scene *scene, size_t node, lim_index run)
+{
+    if (scene->nodes[node].split.plane != LIM_NO_INDEX) return IN_NODE;
+    return run < scene->polygon_words && scene->polygons[run] & LIM_POLYGON_MESH ? IN_MESH_LEAF : IN_LEAF;
 }
 
 static bool check_run(struct checker *work, size_t node, lim_index run)
 {
-    const bool in_leaf = work->scene->nodes[node].split.plane == LIM_NO_INDEX;
+    const enum place place = place_of(work->scene, node, run);
     if (run == LIM_NO_INDEX) return true;
     for (size_t at = run;; at += lim_record_words(work->scene->polygons[at])) {
         if (at >= work->scene->polygon_words)
             return error_set(work->err, "node %zu: a run begins or goes on behind the last polygon", node);
-        if (!check_record(work, at, in_leaf)) return false;
+        if (!check_record(work, at, place, at == run)) return false;
         if (work->scene->polygons[at] & LIM_POLYGON_LAST) return true;
     }
 }
@@ -247,6 +272,16 @@ static bool is_set(const struct lim_scene *scene)
     return scene->limits.depth == 0 && scene->node_count == 1 && scene->nodes[0].split.plane == LIM_NO_INDEX;
 }
 
+/* After its run is known to be sound. */
+static bool check_mesh_leaf(struct checker *work, size_t index)
+{
+    const struct lim_scene *scene = work->scene;
+    if (place_of(scene, index, scene->nodes[index].front_run) != IN_MESH_LEAF) return true;
+    if (is_set(scene)) return error_set(work->err, "node %zu: a mesh leaf, and no levels of a tree", index);
+    work->mesh_leaves++;
+    return lim_check_mesh_leaf(scene, index, work->err);
+}
+
 static bool check_node(struct checker *work, size_t index)
 {
     const struct lim_scene *scene = work->scene;
@@ -257,8 +292,8 @@ static bool check_node(struct checker *work, size_t index)
     if (node->box != LIM_NO_INDEX && node->box >= scene->box_count)
         return error_set(work->err, "node %zu: box %u of %u", index, (unsigned)node->box, (unsigned)scene->box_count);
     return check_split(work, index) && check_run(work, index, node->front_run) &&
-           check_run(work, index, node->back_run) && check_child(work, index, node->front) &&
-           check_child(work, index, node->back);
+           check_run(work, index, node->back_run) && check_mesh_leaf(work, index) &&
+           check_child(work, index, node->front) && check_child(work, index, node->back);
 }
 
 /* A limit of layers asks a renderer for memory, and says which way it is to paint. */
@@ -270,6 +305,9 @@ static bool check_totals(const struct checker *work)
                          work->words, (unsigned)scene->polygon_count, (unsigned)scene->polygon_words);
     if (is_set(scene) && work->records > LIM_SORTED_MAX)
         return error_set(work->err, "a set of %zu polygons, %u are the most", work->records, LIM_SORTED_MAX);
+    if (!work->mesh_leaves && (scene->limits.leaf_vertices || scene->limits.leaf_polygons))
+        return error_set(work->err, "limits of %u vertices and %u polygons of mesh leaves, and there is none",
+                         (unsigned)scene->limits.leaf_vertices, (unsigned)scene->limits.leaf_polygons);
     return !scene->limits.layers || work->transparent ||
            error_set(work->err, "limit of %u layers, and no polygon is transparent", (unsigned)scene->limits.layers);
 }

@@ -15,6 +15,9 @@ bool lim_check(const struct lim_scene *scene, struct error *err);
 /* The part of it for a scene without nodes, whose vertices, planes and boxes are within bounds. */
 bool lim_check_mesh(const struct lim_scene *scene, struct error *err);
 
+/* The part of it for a node that is a mesh leaf, whose records are sound by themselves. */
+bool lim_check_mesh_leaf(const struct lim_scene *scene, size_t node, struct error *err);
+
 /* The part of it that is about textures and mappings. */
 bool lim_check_textures(const struct lim_scene *scene, struct error *err);
 

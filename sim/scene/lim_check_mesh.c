@@ -15,10 +15,15 @@ static bool check_absent(const struct lim_scene *scene, struct error *err)
     const struct {
         const char *what;
         unsigned long count;
-    } absent[] = {{"planes", scene->plane_count},     {"exact planes", scene->exact_count},
-                  {"places", scene->place_count},     {"bytes of visible sets", scene->pvs_bytes},
-                  {"mappings", scene->mapping_count}, {"levels of a tree", scene->limits.depth},
-                  {"layers", scene->limits.layers}};
+    } absent[] = {{"planes", scene->plane_count},
+                  {"exact planes", scene->exact_count},
+                  {"places", scene->place_count},
+                  {"bytes of visible sets", scene->pvs_bytes},
+                  {"mappings", scene->mapping_count},
+                  {"levels of a tree", scene->limits.depth},
+                  {"layers", scene->limits.layers},
+                  {"polygons of a mesh leaf", scene->limits.leaf_polygons},
+                  {"vertices of one", scene->limits.leaf_vertices}};
     for (size_t i = 0; i < sizeof absent / sizeof *absent; i++)
         if (absent[i].count) return error_set(err, "a mesh, and %lu %s beside it", absent[i].count, absent[i].what);
     return true;

@@ -70,8 +70,7 @@ static bool check_header(const struct lim_file_header *header, const char *path,
         return error_set(err, "%s: version %lu; this program reads version %d, compile the model again", path,
                          (unsigned long)header->version, LIM_FILE_VERSION);
     const uint32_t fractions = header->counts[SECTION_FRACTIONS], uvs = header->counts[SECTION_UVS];
-    if (header->header_b != sizeof *header || header->reserved ||
-        header->file_b != lim_image_section_b(header, SECTION_COUNT) ||
+    if (header->header_b != sizeof *header || header->file_b != lim_image_section_b(header, SECTION_COUNT) ||
         (fractions && fractions != header->counts[SECTION_VERTICES]) ||
         (uvs && uvs != header->counts[SECTION_VERTICES]))
         return error_set(err, "%s: damaged: the header contradicts itself", path);

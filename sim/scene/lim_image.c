@@ -19,7 +19,7 @@ static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B
 static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
 static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
 static_assert(offsetof(struct lim_file_header, limits) == 118, "header");
-static_assert(offsetof(struct lim_file_header, deep_from) == 132, "header");
+static_assert(offsetof(struct lim_file_header, deep_from) == 136, "header");
 static_assert(sizeof(struct lim_vertex) == 6, "vertex");
 static_assert(sizeof(struct lim_fraction) == 3, "fraction");
 static_assert(sizeof(struct lim_uv) == 4, "place of a vertex");
@@ -62,8 +62,8 @@ static const char HEADER_FIELDS[] = "11111111"
                                     "8888"
                                     "444444444444444"
                                     "2"
-                                    "2222222"
-                                    "444";
+                                    "222222222"
+                                    "44";
 
 static uint64_t align_b(uint64_t size_b)
 {
@@ -147,7 +147,10 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
                                           textures->texture_count,
                                           textures->palette_colours,
                                           textures->texel_count / LIM_TEXEL_BLOCK};
-    const struct lim_limits limits = {.depth = (uint16_t)encoding->depth, .vertices = (uint16_t)encoding->widest};
+    const struct lim_limits limits = {.depth = (uint16_t)encoding->depth,
+                                      .vertices = (uint16_t)encoding->widest,
+                                      .leaf_vertices = (uint16_t)encoding->leaf_vertices,
+                                      .leaf_polygons = (uint16_t)encoding->leaf_polygons};
     struct lim_file_header header = {.version = LIM_FILE_VERSION, .header_b = sizeof header};
     memcpy(header.magic, lim_file_magic, sizeof header.magic);
     header.units_per_m = grid->units_per_m;

@@ -9,7 +9,7 @@
 #include "scene/compiled.h"
 #include "scene/encoding.h"
 
-enum { LIM_FILE_VERSION = 9, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+enum { LIM_FILE_VERSION = 10, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
 extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
 
@@ -43,10 +43,9 @@ struct lim_file_header {
     double origin_m[3];
     uint32_t counts[SECTION_COUNT]; /* elements in each section */
     uint16_t background;            /* RGB565 as a number */
-    uint16_t limits[7];             /* the fields of struct lim_limits in their order */
+    uint16_t limits[9];             /* the fields of struct lim_limits in their order */
     uint32_t deep_from;             /* of a mesh; else 0 */
     uint32_t near_deep_from;        /* likewise */
-    uint32_t reserved;              /* 0 */
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */

@@ -58,6 +58,20 @@ static size_t aligned_b(size_t size_b)
     return (size_b + 3) & ~(size_t)3;
 }
 
+/* A mesh leaf that is being drawn: of the scene's, or of what moves in it. */
+static size_t leaf_b(const struct compiled *scene, size_t vertices, size_t polygons)
+{
+    const size_t point_b = is_wide(&scene->report) ? MCU_CELL_WIDE_B : MCU_CELL_B;
+    const size_t entry_b = width_is_wide(&scene->scene) ? MCU_MESH_ENTRY_WIDE_B : MCU_MESH_ENTRY_B;
+    return aligned_b(vertices * (point_b + MCU_MESH_NEARNESS_B) + polygons * entry_b);
+}
+
+static size_t leaves_b(const struct compiled *scene)
+{
+    const struct lim_limits *limits = &scene->scene.limits;
+    return leaf_b(scene, limits->leaf_vertices, limits->leaf_polygons);
+}
+
 static size_t sorted_b(const struct compiled *scene, size_t pieces)
 {
     const size_t count = scene->scene.polygon_count;
@@ -74,7 +88,7 @@ static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps,
                            (sorts ? 0 : scene->scene.limits.depth * pending_b(scene));
     return (sorts ? sorted_b(scene, pieces) : 0) +
            aligned_b(fixed_b + cells * cell_b + gaps * gap_b + active * active_b(scene)) +
-           (sorts ? 0 : lim_portals_mem_b(&scene->scene));
+           (sorts ? 0 : lim_portals_mem_b(&scene->scene) + leaves_b(scene));
 }
 
 static size_t layers_b(const struct lim_limits *limits)
@@ -114,7 +128,7 @@ static size_t mesh_b(const struct compiled *scene, size_t active)
 static size_t painter_b(const struct compiled *scene)
 {
     return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + scene->scene.limits.depth * pending_b(scene)) +
-           lim_portals_mem_b(&scene->scene);
+           lim_portals_mem_b(&scene->scene) + leaves_b(scene);
 }
 
 size_t mcu_mem_b(const struct compiled *scene)
@@ -152,5 +166,6 @@ size_t mcu_movers_mem_b(const struct compiled *scene, const struct moving *movin
     return aligned_b(limits->instances * mover_b(scene, moving) +
                      limits->entries * (MCU_SORTED_B + MCU_NEWELL_B + MCU_CUT_B + 2 * index_b(scene)) +
                      MCU_CACHE_ENTRIES * cached_b(scene) +
-                     ((size_t)scene->scene.limits.depth + limits->depth) * route_b);
+                     ((size_t)scene->scene.limits.depth + limits->depth) * route_b) +
+           leaf_b(scene, limits->leaf_vertices, limits->leaf_polygons);
 }

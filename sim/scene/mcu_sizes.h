@@ -34,6 +34,8 @@ enum {
     MCU_CROSSING_B = 40,            /* and a point for each vertex */
     MCU_MESH_NEARNESS_B = 2,        /* of a vertex, and of a pixel of a line of depths */
     MCU_MESH_LEAST_ACTIVE = 7,
+    MCU_MESH_ENTRY_B = 6, /* a polygon of a mesh leaf */
+    MCU_MESH_ENTRY_WIDE_B = 8,
     MCU_MOVER_B = 168,
     MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
     MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */

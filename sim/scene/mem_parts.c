@@ -59,6 +59,8 @@ size_t ram_parts(const struct compiled *scene, struct mem_part parts[RAM_PARTS_M
     add_pool(parts, &count, "pieces that sorting cuts", scene, &less, all.pieces);
     less = all, less.layers = 0;
     add_pool(parts, &count, "transparent layers of a line", scene, &less, all.layers);
+    less = all, less.leaf_vertices = less.leaf_polygons = 0;
+    add_pool(parts, &count, "a mesh leaf's vertices and polygons", scene, &less, all.leaf_polygons);
     less = all, less.depth = 0;
     add_pool(parts, &count, "the way back up the tree", scene, &less, all.depth);
     struct compiled lower = *scene;

@@ -33,7 +33,8 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .mesh_depth = scene->report.draws == LIM_MESH_DEPTH,
                           .cull = scene->scene.box_count > 0 && walks_tree(scene->report.draws),
                           .wide = width_is_wide(&scene->scene),
-                          .leaves = scene->report.leaves > 0,
+                          .leaves = scene->report.leaves > 0 || scene->scene.limits.leaf_polygons > 0,
+                          .mesh_leaves = scene->scene.limits.leaf_polygons > 0,
                           .textures = scene->scene.texture_count > 0,
                           .portals = scene->scene.place_count > 0,
                           .slanted = scene->scene.plane_count > 0,
@@ -56,7 +57,8 @@ static void add_object(struct needs *needs, const struct compiled *object)
 {
     needs->cull |= object->scene.box_count > 0;
     needs->wide |= width_is_wide(&object->scene);
-    needs->leaves |= object->report.leaves > 0;
+    needs->leaves |= object->report.leaves > 0 || object->scene.limits.leaf_polygons > 0;
+    needs->mesh_leaves |= object->scene.limits.leaf_polygons > 0;
     needs->slanted |= object->scene.plane_count > 0;
     needs->large |= object->scene.exact_count > 0;
     needs->transparent |= records_with(&object->scene, LIM_POLYGON_ALPHA) > 0;
@@ -86,6 +88,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .cull = a->cull || b->cull,
                           .wide = a->wide || b->wide,
                           .leaves = a->leaves || b->leaves,
+                          .mesh_leaves = a->mesh_leaves || b->mesh_leaves,
                           .textures = a->textures || b->textures,
                           .portals = a->portals || b->portals,
                           .slanted = a->slanted || b->slanted,
@@ -156,6 +159,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_CULL", needs->cull);
     write_macro(file, "HAS_WIDE", needs->wide);
     write_macro(file, "HAS_LEAVES", needs->leaves);
+    write_macro(file, "HAS_MESH_LEAVES", needs->mesh_leaves);
     write_macro(file, "HAS_TEXTURE", needs->textures);
     write_macro(file, "HAS_PORTALS", needs->portals);
     write_macro(file, "HAS_SLANTED", needs->slanted);

@@ -14,7 +14,7 @@ struct moving;
 struct needs {
     bool nearest, scanline, convex, painter; /* methods */
     bool depth, newell, mesh, mesh_depth;    /* more of them */
-    bool leaves;                             /* ordered clusters */
+    bool leaves, mesh_leaves;                /* ordered clusters; leaves whose order is by distance */
     bool textures;
     bool portals;              /* what can be seen from where */
     bool wide;                 /* indices of 32 bits */
