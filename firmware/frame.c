@@ -124,7 +124,6 @@ static void connect(struct lim *lim)
         lim->sorter->pass = pass;
         lim->sorter->movers = lim->movers;
         lim->sorter->comparing = false;
-        if (LIM_HAS_MESH_LEAVES) *lim->sorter->leaf = lim->leaf;
     }
     if (LIM_HAS_MOVERS) lim->movers->most = lim->movers->given = lim->movers->count = 0;
     if (LIM_HAS_PAINTED) connect_painter(lim);

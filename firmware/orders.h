@@ -171,7 +171,6 @@ struct lim_sorter {
     uint16_t size, used;
     uint16_t first; /* of the list; once the frame is ordered, the nearest */
     bool comparing; /* movers by newell.c: what it wants to know of pieces is kept up */
-    LIM_OPTIONAL(struct lim_mesh_leaf *, leaf, LIM_HAS_MESH_LEAVES); /* of the static scene */
     LIM_OPTIONAL(struct lim_newell, newell, LIM_HAS_PIECES);
 };
 

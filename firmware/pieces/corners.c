@@ -10,14 +10,14 @@
 
 static const LIM_FLASH struct lim_plane_ref no_plane = {LIM_NO_INDEX, 0};
 
-/* Of a mesh leaf: nor has its node a plane, and leaves that movers have come to stand for none. */
+/* Of a mesh leaf, and not the plane of a node. */
 static bool is_of_mesh_leaf(const struct lim_sorter *sorter, uint16_t entry)
 {
     const lim_index node = sorter->newell->polygons[entry].node;
 
-    if (sorter->list[entry].record == LIM_NO_INDEX) return false;
-    return !(lim_entry_record(sorter, entry)[0] & LIM_POLYGON_PLANE) &&
-           (node == LIM_NO_INDEX || lim_entry_scene(sorter, entry)->nodes[node].split.plane == LIM_NO_INDEX);
+    return sorter->list[entry].record != LIM_NO_INDEX && node != LIM_NO_INDEX &&
+           lim_entry_scene(sorter, entry)->nodes[node].split.plane == LIM_NO_INDEX &&
+           !(lim_entry_record(sorter, entry)[0] & LIM_POLYGON_PLANE);
 }
 
 bool lim_plane_is_of_corners(const struct lim_sorter *sorter, uint16_t entry)

@@ -87,9 +87,8 @@ static LIM_IF_CALLED bool add_entry(struct lim_sorter *sorter, struct lim_queue 
 static LIM_IF_CALLED bool add_mesh_leaf(struct lim_sorter *sorter, struct lim_queue *queue,
                                         const struct lim_route *route, uint16_t mover, lim_index run)
 {
-    struct lim_view *view = mover == LIM_NONE ? &sorter->pass->view : lim_mover_view(sorter->movers, mover);
-    const struct lim_mesh_leaf_seen seen = {route->scene, view, route->eye, false};
-    struct lim_mesh_leaf *leaf = mover == LIM_NONE ? *sorter->leaf : sorter->movers->leaf;
+    const struct lim_mesh_leaf_seen seen = {route->scene, lim_mover_view(sorter->movers, mover), route->eye, false};
+    struct lim_mesh_leaf *const leaf = sorter->movers->leaf;
     uint16_t at;
 
     lim_mesh_leaf_sort(leaf, &seen, &route->scene->polygons[run]);

@@ -7,26 +7,12 @@
 #include "routes/mover_route.h"
 
 #include "eye.h"
-#include "routes/mover_list.h"
+#include "routes/mover_leaf.h"
 #include "routes/mover_split.h"
 #include "routes/route.h"
 #include "view/pass.h"
 
 #if LIM_HAS_MOVERS
-
-/* The order of its run knows nothing of movers: both are sorted together, or else movers are taken for nearer. */
-static void enter_leaf(struct lim_route *route, lim_index run)
-{
-    const uint16_t list = route->list;
-
-    if (lim_movers_join(route->sorter, run, list)) {
-        route->next = LIM_NO_INDEX;
-        return;
-    }
-    if (LIM_HAS_STATS) lim_stats_of(route->sorter->pass)->movers.unsorted++;
-    if (route->back_to_front) route->list = LIM_NONE;
-    lim_route_go_through_leaf(route, route->back_to_front ? list : (uint16_t)LIM_NONE);
-}
 
 static void route_enter(struct lim_route *route)
 {
@@ -35,7 +21,7 @@ static void route_enter(struct lim_route *route)
 
     if (!node) return;
     if (lim_route_is_leaf(node)) {
-        enter_leaf(route, node->front_run);
+        lim_movers_enter_leaf(route, node->front_run);
         return;
     }
     const int32_t side = lim_route_side(route, node);
