@@ -70,14 +70,16 @@ static inline bool ends_in_leaf(const struct lim_scene *scene)
     return LIM_HAS_LEAVES && scene->node_count && scene->nodes[scene->node_count - 1].split.plane == LIM_NO_INDEX;
 }
 
-/* A tree without forks has as many levels as nodes; a set has none, and is for methods that sort. A convex solid's
- * faces hide its background. A mesh has no nodes, and what draws one draws nothing else. */
+/* A tree without forks has as many levels as nodes; a set has none, and is for methods that sort, which want the planes
+ * that mesh leaves do not have. A convex solid's faces hide its background. A mesh has no nodes, and what draws one
+ * draws nothing else. */
 static bool scene_is_usable(const struct lim_scene *scene, const struct lim_target *target)
 {
     if (LIM_IS_MESH(target)) return !scene->node_count && scene->box_count;
     return !lim_scene_is_mesh(scene) && (LIM_IS_SORTED(target) || scene->limits.depth) &&
            scene->limits.vertices <= LIM_MAX_VERTICES && (LIM_HAS_SLANTED || !scene->plane_count) &&
            (LIM_HAS_LARGE || !scene->exact_count) &&
+           ((LIM_HAS_MESH_LEAVES && !LIM_IS_SORTED(target)) || !scene->limits.leaf_polygons) &&
            !(LIM_IS_CONVEX(target) && (scene->limits.depth != scene->node_count || ends_in_leaf(scene))) &&
            !(LIM_HAS_WIDE && LIM_IS_CONVEX(target) && scene->polygon_count >= LIM_NONE) &&
            !(LIM_HAS_WIDE && LIM_IS_SORTED(target) && scene->polygon_count > LIM_SORTED_MAX) &&
@@ -91,6 +93,7 @@ static void connect_painter(struct lim *lim)
     painter->pass = &lim->pass;
     if (LIM_HAS_LISTS) *painter->sorter = lim->sorter;
     if (LIM_HAS_FALLBACK) *painter->lent = NULL;
+    if (LIM_HAS_MESH_LEAVES) *painter->leaf = lim->leaf;
 }
 
 static void connect_nearest(struct lim *lim)
@@ -101,6 +104,7 @@ static void connect_nearest(struct lim *lim)
     nearest->pass = paint->pass = &lim->pass;
     if (LIM_HAS_LISTS) *nearest->sorter = lim->sorter;
     if (LIM_HAS_FALLBACK) *nearest->painter = lim->painter;
+    if (LIM_HAS_MESH_LEAVES) *nearest->leaf = lim->leaf;
     if (LIM_HAS_DELTA) *paint->delta = NULL;
     if (LIM_HAS_FALLBACK) *paint->lent = NULL;
     if (LIM_HAS_ANTIALIAS) *paint->smooth = (struct lim_smooth){.sums = NULL};
@@ -120,6 +124,7 @@ static void connect(struct lim *lim)
         lim->sorter->pass = pass;
         lim->sorter->movers = lim->movers;
         lim->sorter->comparing = false;
+        if (LIM_HAS_MESH_LEAVES) *lim->sorter->leaf = lim->leaf;
     }
     if (LIM_HAS_MOVERS) lim->movers->most = lim->movers->given = lim->movers->count = 0;
     if (LIM_HAS_PAINTED) connect_painter(lim);

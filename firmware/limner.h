@@ -224,6 +224,7 @@ struct lim {
     struct lim_pass pass;
     LIM_OPTIONAL(struct lim_sorter, sorter, LIM_HAS_LISTS);
     LIM_OPTIONAL(struct lim_movers, movers, LIM_HAS_MOVERS);
+    LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES);
     LIM_OPTIONAL(struct lim_painter, painter, LIM_HAS_PAINTED);
     LIM_OPTIONAL(struct lim_nearest, nearest, LIM_HAS_SPANS);
     LIM_OPTIONAL(struct lim_convex, convex, LIM_HAS_CONVEX);

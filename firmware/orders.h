@@ -16,6 +16,26 @@ LIM_OPTIONAL_BEGIN
 
 /* Lists, and what moves ------------------------------------------------------------------------------------------- */
 
+/* A polygon of a mesh leaf that faces the eye. */
+struct lim_mesh_entry {
+    lim_index record; /* in scene->polygons */
+    uint16_t next;    /* of those that are about as near, or LIM_NONE */
+    uint16_t key;     /* what is drawn first has the lower one */
+};
+enum { LIM_MESH_LEAF_LISTS = 64 };
+
+/* A mesh leaf that is being drawn (mesh_leaf.h). */
+struct lim_mesh_leaf {
+    struct lim_point *points; /* of its vertices, on the screen */
+    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
+    struct lim_mesh_entry *entries;
+    lim_index first;                     /* its first vertex */
+    uint16_t used;                       /* entries */
+    uint16_t lists[LIM_MESH_LEAF_LISTS]; /* in the order of drawing, by nearness */
+    uint8_t list;                        /* the one that is being drawn */
+    uint8_t near_shift, extent;          /* as struct lim_mesh has them */
+};
+
 /* An instance as this frame has it. */
 struct lim_mover {
     struct lim_view view;    /* in the object's coordinates; the cache is shared */
@@ -62,26 +82,6 @@ struct lim_kept_corners {
     struct lim_corners corners;
 };
 enum { LIM_KEPT_CORNERS = 2 };
-
-/* A polygon of a mesh leaf that faces the eye. */
-struct lim_mesh_entry {
-    lim_index record; /* in scene->polygons */
-    uint16_t next;    /* of those that are about as near, or LIM_NONE */
-    uint16_t key;     /* what is drawn first has the lower one */
-};
-enum { LIM_MESH_LEAF_LISTS = 64 };
-
-/* A mesh leaf that is being drawn (mesh_leaf.h). */
-struct lim_mesh_leaf {
-    struct lim_point *points; /* of its vertices, on the screen */
-    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
-    struct lim_mesh_entry *entries;
-    lim_index first;                     /* its first vertex */
-    uint16_t used;                       /* entries */
-    uint16_t lists[LIM_MESH_LEAF_LISTS]; /* in the order of drawing, by nearness */
-    uint8_t list;                        /* the one that is being drawn */
-    uint8_t near_shift, extent;          /* as struct lim_mesh has them */
-};
 
 struct lim_movers {
     const struct lim_instance *instances; /* the caller's */
@@ -171,6 +171,7 @@ struct lim_sorter {
     uint16_t size, used;
     uint16_t first; /* of the list; once the frame is ordered, the nearest */
     bool comparing; /* movers by newell.c: what it wants to know of pieces is kept up */
+    LIM_OPTIONAL(struct lim_mesh_leaf *, leaf, LIM_HAS_MESH_LEAVES); /* of the static scene */
     LIM_OPTIONAL(struct lim_newell, newell, LIM_HAS_PIECES);
 };
 
@@ -240,6 +241,7 @@ struct lim_painter {
     struct lim_pass *pass;
     LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS); /* of a sorted method's polygons, or of movers */
     LIM_OPTIONAL(uint16_t *, lent, LIM_HAS_FALLBACK); /* the line that nearest first could not finish, or NULL */
+    LIM_OPTIONAL(struct lim_mesh_leaf *, leaf, LIM_HAS_MESH_LEAVES);
 };
 
 /* How far a frame is that lim_frame_begin() began. */
@@ -264,6 +266,7 @@ struct lim_nearest {
     struct lim_pass *pass;
     LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS);      /* of a sorted method's polygons, or of movers */
     LIM_OPTIONAL(struct lim_painter *, painter, LIM_HAS_FALLBACK); /* for lines for which a pool is too small */
+    LIM_OPTIONAL(struct lim_mesh_leaf *, leaf, LIM_HAS_MESH_LEAVES);
     struct lim_spans spans;
     struct lim_retained retained;
     struct lim_paint paint;
@@ -418,7 +421,7 @@ struct lim_mesh {
     struct lim_mesh_active end;     /* of all lists */
     struct lim_mesh_crowd crowd;
     uint16_t pool_size, unused; /* unused: entries from here on */
-    uint8_t near_shift;         /* of lim_view_all(), or lim_view_finer() */
+    uint8_t near_shift;         /* of lim_view_all(), or lim_view_refine() */
     uint8_t extent;             /* enum lim_view_extent */
     uint16_t nearest;           /* where that is LIM_VIEW_CLIPPED: nearness of all that is linked, OR'ed */
     uint32_t parts;             /* lim_bands() */

@@ -6,6 +6,7 @@
 
 #include "ahead.h"
 #include "overlay.h"
+#include "pieces/mesh_leaf.h"
 #include "pixels/delta.h"
 #include "view/pass.h"
 
@@ -107,9 +108,15 @@ void lim_light_set(struct lim *lim, const struct lim_light *light)
 #endif
 
 #if LIM_HAS_MOVERS
-size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
+static size_t without_leaf_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
 {
     return LIM_MOVERS_MEM_B(scene->limits.depth, limits->instances, limits->depth, limits->entries);
+}
+
+size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
+{
+    return without_leaf_b(scene, limits) +
+           (LIM_HAS_MESH_LEAVES ? LIM_MESH_LEAF_MEM_B(limits->leaf_vertices, limits->leaf_polygons) : 0);
 }
 
 /* Of a polygon that can be retained, as a band of one pixel asks for. */
@@ -120,6 +127,15 @@ static uint16_t most_mover_corners(const struct lim *lim)
     if (!LIM_HAS_WALKED || LIM_IS_PAINTER(&lim->pass.target)) return most;
     const uint16_t cells = lim->nearest->retained.whole;
     return cells < most + taken ? (uint16_t)(cells - taken) : most;
+}
+
+static void lend_mesh_leaf(struct lim_movers *movers, void *mem, const struct lim_movers_limits *limits)
+{
+    const struct lim_limits most = {.leaf_vertices = limits->leaf_vertices, .leaf_polygons = limits->leaf_polygons};
+
+    *movers->leaf_vertices = most.leaf_vertices;
+    *movers->leaf_polygons = most.leaf_polygons;
+    lim_mesh_leaf_lend(movers->leaf, mem, &most);
 }
 
 /* Widest alignment first. */
@@ -152,6 +168,7 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
     newell->cuts = lim_mem_cut(&at, limits->entries * sizeof *newell->cuts);
     movers->stack = lim_mem_cut(&at, scene->limits.depth * sizeof *movers->stack);
     movers->object_stack = lim_mem_cut(&at, limits->depth * sizeof *movers->object_stack);
+    if (LIM_HAS_MESH_LEAVES) lend_mesh_leaf(movers, (uint8_t *)mem + without_leaf_b(scene, limits), limits);
     return LIM_OK;
 }
 #endif

@@ -56,7 +56,7 @@ static inline void lim_mesh_texture_leave(struct lim_mesh *mesh, const struct li
 
 /* Functions that are there if LIM_HAS_TEXTURE. */
 
-/* Once a frame, when nearness is as fine as it gets: after lim_view_finer(). */
+/* Once a frame, when nearness is as fine as it gets: after lim_view_refine(). */
 void lim_mesh_texture_frame(struct lim_mesh *mesh);
 
 /* What an entry that is unset shows, before its first pixels. */

@@ -6,7 +6,7 @@
 
 #include "stages.h"
 
-#if LIM_HAS_DEFORM
+#if LIM_HAS_CORNER_PLANES
 
 #define NORMAL_END (INT64_C(1) << 29)
 

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * Movers that deform: their corners are the caller's, so nothing is known of them beforehand. Planes come from the
- * corners themselves, and which polygons face the eye is found one by one. */
+ * Polygons without stored planes: those of movers that deform, whose corners are the caller's, so nothing is known of
+ * them beforehand, and those of mesh leaves. Planes come from the corners themselves, and which polygons face the eye
+ * is found one by one. */
 #ifndef LIM_DEFORM_H
 #define LIM_DEFORM_H
 
 #include "scene.h"
 #include "stages.h"
 #include "view/plane_unpacked.h"
+
+#define LIM_HAS_CORNER_PLANES (LIM_HAS_DEFORM || LIM_HAS_MESH_LEAVES)
 
 /* Whether the instance deforms; a constant where none can. */
 static inline bool lim_deforms(const struct lim_instance *instance)

@@ -265,6 +265,16 @@ static bool is_within(const struct lim_mover *mover)
     return true;
 }
 
+/* Whether there is room for its mesh leaves. One that deforms has none: its polygons are sorted one by one. */
+static bool has_room_for_leaves(const struct lim_movers *movers, const struct lim_instance *instance)
+{
+    const struct lim_limits *limits = &instance->object->limits;
+
+    if (!limits->leaf_polygons || lim_deforms(instance)) return true;
+    return LIM_HAS_MESH_LEAVES && limits->leaf_vertices <= *movers->leaf_vertices &&
+           limits->leaf_polygons <= *movers->leaf_polygons;
+}
+
 static bool is_usable(const struct lim_movers *movers, const struct lim_instance *instance)
 {
     const struct lim_scene *object = instance->object;
@@ -273,7 +283,8 @@ static bool is_usable(const struct lim_movers *movers, const struct lim_instance
     for (uint_fast8_t i = 0; i < 3; i++)
         if (abs_s32(instance->at_q8[i]) >= (uint32_t)AT_END_Q8) return false;
     return object->limits.vertices <= movers->most_corners && object->limits.depth <= movers->object_depth &&
-           (LIM_HAS_SLANTED || !object->plane_count) && (LIM_HAS_LARGE || !object->exact_count);
+           has_room_for_leaves(movers, instance) && (LIM_HAS_SLANTED || !object->plane_count) &&
+           (LIM_HAS_LARGE || !object->exact_count);
 }
 
 /* The camera, as the object sees it. false: it is too far away. */

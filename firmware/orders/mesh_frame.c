@@ -17,7 +17,12 @@
 
 #if LIM_HAS_MESHES
 
-enum { REFINED_BITS = 13 }; /* of nearness at most: a plane that is not quite right keeps within 16 */
+/* All of it. */
+static struct lim_view_part part_of(const struct lim_scene *scene)
+{
+    return (struct lim_view_part){.count = scene->vertex_count};
+}
+
 static uint16_t active_of(const struct lim_scene *scene, bool least)
 {
     return least || scene->limits.active < MESH_LEAST_ACTIVE ? MESH_LEAST_ACTIVE : scene->limits.active;
@@ -216,18 +221,6 @@ static void link_triangles(struct lim_mesh *mesh)
         link_all(mesh, mesh->extent);
 }
 
-/* The eye is within the mesh's box, or beside it, so it may be as near as the near plane; what is seen seldom is. Then
- * nearness has bits that it does not use. */
-static LIM_RARE void refine(struct lim_mesh *mesh)
-{
-    struct lim_pass *pass = mesh->pass;
-    const uint8_t zeros = mesh->nearest ? clz_u32(mesh->nearest) : 0;
-
-    if (zeros > 32 - REFINED_BITS)
-        lim_view_finer(&pass->view, pass->scene, (uint8_t)(zeros - (32 - REFINED_BITS)), mesh->nearness,
-                       &mesh->near_shift);
-}
-
 /* A frame --------------------------------------------------------------------------------------------------------- */
 
 static inline void mesh_clean(struct lim_pass *pass, const struct lim_mesh_line *line, uint16_t background)
@@ -280,10 +273,13 @@ int lim_mesh_frame(struct lim_mesh *mesh)
 {
     struct lim_pass *pass = mesh->pass;
 
-    mesh->extent = (uint8_t)lim_view_all(&pass->view, pass->scene, mesh->points, mesh->nearness, &mesh->near_shift);
+    const struct lim_view_part part = part_of(pass->scene);
+    mesh->extent =
+        (uint8_t)lim_view_all(&pass->view, pass->scene, &part, mesh->points, mesh->nearness, &mesh->near_shift);
     set_deep(mesh);
     link_triangles(mesh);
-    if (mesh->extent == LIM_VIEW_CLIPPED) refine(mesh);
+    if (mesh->extent == LIM_VIEW_CLIPPED)
+        lim_view_refine(&pass->view, pass->scene, &part, mesh->nearest, mesh->nearness, &mesh->near_shift);
     if (LIM_HAS_TEXTURE) lim_mesh_texture_frame(mesh);
     lim_mesh_clear(mesh);
     mesh->crowd.first = LIM_NO_INDEX;

@@ -37,6 +37,16 @@ bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band);
 void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame);
 enum lim_ahead_stage lim_collect_some(struct lim_nearest *nearest);
 
+/* Pass one for a record that faces the eye, or for a projected polygon. false: a pool is exhausted. */
+bool lim_collect_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *record);
+bool lim_collect_polygon(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon);
+
+/* For all polygons of a mesh leaf whose run begins with this record. */
+bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_index *run);
+
+/* Draws the open view together, and CULL's planes with it. */
+void lim_nearest_shrink(struct lim_nearest *nearest);
+
 /* Pass one for a piece of a projected polygon. false: a pool is exhausted. */
 bool lim_collect_piece(struct lim_nearest *nearest, uint16_t entry, const struct lim_screen_polygon *whole);
 

@@ -11,6 +11,7 @@
 #include "lines/overlaid.h"
 #include "lines/wireframe.h"
 #include "pieces/entry.h"
+#include "pieces/mesh_leaf.h"
 #include "pieces/sorter.h"
 #include "pieces/trace.h"
 #include "pixels/blend.h"
@@ -32,7 +33,7 @@
 #if LIM_HAS_PAINTER
 size_t lim_painter_mem_b(const struct lim_scene *scene)
 {
-    return LIM_PAINTER_MEM_B(scene->limits.depth) + lim_portals_mem_b(scene);
+    return LIM_PAINTER_MEM_B(scene->limits.depth) + lim_portals_mem_b(scene) + lim_mesh_leaf_mem_b(&scene->limits);
 }
 
 void lim_painter_init(struct lim_painter *painter, void *mem)
@@ -41,7 +42,11 @@ void lim_painter_init(struct lim_painter *painter, void *mem)
     struct lim_view_cached *cache = mem;
     struct lim_walk_pending *stack = (struct lim_walk_pending *)(void *)(cache + LIM_VIEW_CACHE_ENTRIES);
 
-    lim_walk_lend(pass->walk, pass->scene, stack, stack + pass->scene->limits.depth);
+    uint8_t *at = (uint8_t *)mem + LIM_PAINTER_MEM_B(pass->scene->limits.depth);
+    if (LIM_HAS_MESH_LEAVES)
+        lim_mesh_leaf_lend(*painter->leaf, lim_mem_cut(&at, lim_mesh_leaf_mem_b(&pass->scene->limits)),
+                           &pass->scene->limits);
+    lim_walk_lend(pass->walk, pass->scene, stack, at);
     lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, cache);
 }
 #endif
@@ -181,6 +186,22 @@ static LIM_ALONE int paint_record(struct lim_painter *painter, const LIM_FLASH l
     return paint_any(painter, &polygon, screen);
 }
 
+static LIM_IF_CALLED int paint_mesh_leaf(struct lim_painter *painter, const LIM_FLASH lim_index *run,
+                                         const struct lim_rect *screen)
+{
+    struct lim_pass *const pass = painter->pass;
+    const struct lim_mesh_leaf_seen seen = {pass->scene, &pass->view, lim_eye_of(pass), true};
+    struct lim_screen_polygon polygon;
+    uint16_t entry;
+    int err = 0;
+
+    lim_mesh_leaf_sort(*painter->leaf, &seen, run);
+    while (!err && (entry = lim_mesh_leaf_next(*painter->leaf)) != LIM_NONE)
+        if (lim_mesh_leaf_project(&polygon, *painter->leaf, &seen, entry, screen, lim_stats_of(pass)))
+            err = paint_any(painter, &polygon, screen);
+    return err;
+}
+
 enum { NOTED_RECORDS = 24 };
 
 /* Last record first: where rounding makes neighbours in a plane overlap, the first is on top in both
@@ -192,6 +213,7 @@ static int paint_run(struct lim_painter *painter, lim_index run, const struct li
     const LIM_FLASH lim_index *const first = &pass->scene->polygons[run], *painted = NULL;
     const LIM_FLASH lim_index *noted[NOTED_RECORDS];
 
+    if (LIM_HAS_MESH_LEAVES && lim_is_mesh_leaf(first)) return paint_mesh_leaf(painter, first, screen);
     do {
         const LIM_FLASH lim_index *record = first, *from = first, **to = noted;
         for (;;) {

@@ -5,6 +5,7 @@
 #include "orders/nearest.h"
 
 #include "lines/framebuffer.h"
+#include "pieces/mesh_leaf.h"
 #include "view/view.h"
 #include "view/walk.h"
 
@@ -91,7 +92,7 @@ static size_t total_b(const struct lim_scene *scene, const struct lim_target *ta
         sum_b += LIM_DEPTH_MEM_B(target->h_px, scene->polygon_count, 0, 0, 0);
     else
         sum_b += LIM_MEM_B(target->h_px, scene->limits.depth, 0, 0, 0);
-    return sum_b + (LIM_IS_SORTED(target) ? 0 : lim_portals_mem_b(scene));
+    return sum_b + (LIM_IS_SORTED(target) ? 0 : lim_portals_mem_b(scene) + lim_mesh_leaf_mem_b(&scene->limits));
 }
 
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
@@ -201,6 +202,9 @@ void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
     if (LIM_HAS_TRANSPARENT)
         *nearest->paint.layers =
             (struct lim_layers){lim_mem_cut(&at, LIM_LAYERS_MEM_B(*shares.layers)), *shares.layers, 0, false};
+    if (LIM_HAS_MESH_LEAVES && !is_sorted)
+        lim_mesh_leaf_lend(*nearest->leaf, lim_mem_cut(&at, lim_mesh_leaf_mem_b(&pass->scene->limits)),
+                           &pass->scene->limits);
     if (LIM_HAS_WALKED && !is_sorted) lim_walk_lend(pass->walk, pass->scene, stack, at);
     lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, cache);
     if (LIM_HAS_STATS)

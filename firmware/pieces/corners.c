@@ -8,10 +8,31 @@
 
 #if LIM_HAS_PIECES
 
+static const LIM_FLASH struct lim_plane_ref no_plane = {LIM_NO_INDEX, 0};
+
+/* Of a mesh leaf: nor has its node a plane, and leaves that movers have come to stand for none. */
+static bool is_of_mesh_leaf(const struct lim_sorter *sorter, uint16_t entry)
+{
+    const lim_index node = sorter->newell->polygons[entry].node;
+
+    if (sorter->list[entry].record == LIM_NO_INDEX) return false;
+    return !(lim_entry_record(sorter, entry)[0] & LIM_POLYGON_PLANE) &&
+           (node == LIM_NO_INDEX || lim_entry_scene(sorter, entry)->nodes[node].split.plane == LIM_NO_INDEX);
+}
+
+bool lim_plane_is_of_corners(const struct lim_sorter *sorter, uint16_t entry)
+{
+    const uint16_t owner = lim_entry_owner(sorter, entry);
+
+    if (LIM_HAS_DEFORM && owner != LIM_NONE && lim_deforms(&sorter->movers->instances[owner])) return true;
+    return LIM_HAS_MESH_LEAVES && LIM_HAS_MOVERS && is_of_mesh_leaf(sorter, entry);
+}
+
 const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim_sorter *sorter, uint16_t entry)
 {
     const struct lim_scene *scene = lim_entry_scene(sorter, entry);
 
+    if (LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, entry)) return &no_plane;
     if (!LIM_HAS_MOVERS || sorter->list[entry].record != LIM_NO_INDEX) {
         const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
         if (LIM_HAS_LEAVES && record[0] & LIM_POLYGON_PLANE) return lim_record_plane(record);
@@ -19,17 +40,22 @@ const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim_sorter *sort
     return &scene->nodes[sorter->newell->polygons[entry].node].split;
 }
 
+void lim_plane_load_own(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry)
+{
+    if (LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, entry))
+        (void)lim_deform_plane(plane, lim_entry_scene(sorter, entry), lim_entry_record(sorter, entry));
+    else
+        lim_plane_unpack(plane, lim_entry_scene(sorter, entry), lim_plane_of(sorter, entry));
+}
+
 void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry)
 {
     const uint16_t owner = lim_entry_owner(sorter, entry);
 
     if (!LIM_HAS_MOVERS || owner == LIM_NONE) {
-        lim_plane_unpack(plane, sorter->pass->scene, lim_plane_of(sorter, entry));
-    } else if (LIM_HAS_DEFORM && lim_deforms(&sorter->movers->instances[owner])) {
-        (void)lim_deform_plane(plane, lim_entry_scene(sorter, entry), lim_entry_record(sorter, entry));
-        lim_mover_turn(sorter->movers, owner, plane);
-    } else if (LIM_OPTIMISE_SIZE) {
-        lim_plane_unpack(plane, lim_entry_scene(sorter, entry), lim_plane_of(sorter, entry));
+        lim_plane_load_own(plane, sorter, entry);
+    } else if (LIM_OPTIMISE_SIZE || (LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, entry))) {
+        lim_plane_load_own(plane, sorter, entry);
         lim_mover_turn(sorter->movers, owner, plane);
     } else {
         *plane = *lim_mover_plane(sorter->movers, owner, lim_plane_of(sorter, entry), entry);

@@ -69,14 +69,14 @@ static bool piece_is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLA
     return a->plane == b->plane && a->offset == b->offset;
 }
 
-/* Whether two entries whose records name the same plane have the same one: other objects have others, and polygons of
- * one that deforms only their own. */
+/* Whether two entries whose records name the same plane have the same one: other objects have others, and polygons
+ * whose plane is that of their corners only their own. */
 static bool have_one_plane(const struct lim_sorter *sorter, uint16_t a, uint16_t b)
 {
     const uint16_t owner = lim_entry_owner(sorter, a);
 
     if (owner != lim_entry_owner(sorter, b)) return false;
-    if (LIM_HAS_DEFORM && owner != LIM_NONE && lim_deforms(&sorter->movers->instances[owner]))
+    if (LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, a))
         return sorter->list[a].record == sorter->list[b].record;
     return true;
 }
@@ -134,7 +134,7 @@ uint8_t lim_piece_sides(const struct lim_sorter *sorter, uint16_t of, uint16_t b
         if (side) return side;
     }
     if (LIM_HAS_MOVERS && are_of_one_object(sorter, of, by)) { /* as if they stood still */
-        lim_plane_unpack(&plane, lim_entry_scene(sorter, of), lim_plane_of(sorter, by));
+        lim_plane_load_own(&plane, sorter, by);
         const uint8_t sides = sides_at_home(sorter, of, &plane);
         if (whole || sides != LIM_SIDE_BOTH) return sides;
     }

@@ -7,6 +7,7 @@
 #include "eye.h"
 #include "movers/deform.h"
 #include "pieces/entry.h"
+#include "pieces/mesh_leaf.h"
 #include "routes/route.h"
 #include "view/cull.h"
 
@@ -71,20 +72,45 @@ uint16_t lim_movers_list(struct lim_sorter *sorter, const struct lim_cull *open)
 
 /* Polygons ----------------------------------------------------------------------------------- */
 
+static LIM_IF_CALLED bool add_entry(struct lim_sorter *sorter, struct lim_queue *queue, lim_index record,
+                                    uint16_t mover, lim_index node, bool eye_in_front)
+{
+    const uint16_t entry = lim_entry_new(sorter, record, mover, node);
+
+    if (entry == LIM_NONE) return false;
+    sorter->newell->polygons[entry].eye_in_front = eye_in_front;
+    lim_queue_add(queue, entry);
+    return true;
+}
+
+/* A mesh leaf: its planes are of corners, which face the eye. */
+static LIM_IF_CALLED bool add_mesh_leaf(struct lim_sorter *sorter, struct lim_queue *queue,
+                                        const struct lim_route *route, uint16_t mover, lim_index run)
+{
+    struct lim_view *view = mover == LIM_NONE ? &sorter->pass->view : lim_mover_view(sorter->movers, mover);
+    const struct lim_mesh_leaf_seen seen = {route->scene, view, route->eye, false};
+    struct lim_mesh_leaf *leaf = mover == LIM_NONE ? *sorter->leaf : sorter->movers->leaf;
+    uint16_t at;
+
+    lim_mesh_leaf_sort(leaf, &seen, &route->scene->polygons[run]);
+    while ((at = lim_mesh_leaf_next(leaf)) != LIM_NONE)
+        if (!add_entry(sorter, queue, leaf->entries[at].record, mover, route->node, true)) return false;
+    return true;
+}
+
 /* false: no room. */
 static bool add_run(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_route *route, uint16_t mover,
                     lim_index at)
 {
+    if (LIM_HAS_MESH_LEAVES && lim_is_mesh_leaf(&route->scene->polygons[at]))
+        return add_mesh_leaf(sorter, queue, route, mover, at);
     for (;;) {
         const LIM_FLASH lim_index *record = &route->scene->polygons[at];
         const lim_index head = record[0];
-        if (lim_record_is_seen(route->eye, record)) {
-            const uint16_t entry = lim_entry_new(sorter, at, mover, route->node);
-            if (entry == LIM_NONE) return false;
-            sorter->newell->polygons[entry].eye_in_front =
-                LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : route->side > 0;
-            lim_queue_add(queue, entry);
-        }
+        const bool eye_in_front =
+            LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : route->side > 0;
+        if (lim_record_is_seen(route->eye, record) && !add_entry(sorter, queue, at, mover, route->node, eye_in_front))
+            return false;
         if (head & LIM_POLYGON_LAST) return true;
         at = (lim_index)(at + lim_record_words(head));
     }
@@ -97,12 +123,9 @@ static LIM_IF_CALLED bool add_deformed(struct lim_sorter *sorter, struct lim_que
 
     for (lim_index at = 0; at < object->polygon_words;) {
         const LIM_FLASH lim_index *record = &object->polygons[at];
-        if (lim_deform_is_seen(&sorter->movers->movers[mover].eye, record)) {
-            const uint16_t entry = lim_entry_new(sorter, at, mover, 0);
-            if (entry == LIM_NONE) return false;
-            sorter->newell->polygons[entry].eye_in_front = true;
-            lim_queue_add(queue, entry);
-        }
+        if (lim_deform_is_seen(&sorter->movers->movers[mover].eye, record) &&
+            !add_entry(sorter, queue, at, mover, 0, true))
+            return false;
         at = (lim_index)(at + lim_record_words(record[0]));
     }
     return true;

@@ -10,6 +10,7 @@
 #include "movers/deform.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
+#include "pieces/mesh_leaf.h"
 #include "pieces/newell.h"
 #include "pieces/piece.h"
 #include "pieces/sorter.h"
@@ -210,7 +211,7 @@ uint16_t lim_movers_order(struct lim_sorter *sorter, uint16_t list, bool back_to
 /* A polygon of a mover: its plane, in its object, and on which side of that the eye is. */
 struct face {
     const LIM_FLASH lim_index *record;
-    const LIM_FLASH struct lim_plane_ref *plane;
+    const LIM_FLASH struct lim_plane_ref *plane; /* NULL: of its corners */
     uint16_t mover;
     bool eye_in_front;
 };
@@ -221,7 +222,7 @@ static LIM_IF_CALLED uint16_t colour_of(const struct lim_sorter *sorter, const s
     const struct lim_scene *object = sorter->movers->instances[face->mover].object;
     struct lim_plane_unpacked plane;
 
-    if (!LIM_HAS_DEFORM || !lim_deforms(&sorter->movers->instances[face->mover]))
+    if (!LIM_HAS_CORNER_PLANES || face->plane)
         lim_plane_unpack(&plane, object, face->plane);
     else if (!lim_deform_plane(&plane, object, face->record))
         return (uint16_t)face->record[1];
@@ -232,6 +233,12 @@ static LIM_IF_CALLED uint16_t colour_of(const struct lim_sorter *sorter, const s
 }
 
 /* Objects are not textured: what they show is their records' colours. */
+static void light_face(const struct lim_sorter *sorter, struct lim_screen_polygon *out, const struct face *face)
+{
+    if (LIM_HAS_LIGHT && sorter->movers->light->on) out->colour = lim_memory_colour(colour_of(sorter, face));
+    if (LIM_HAS_TEXTURE) *out->texture = LIM_NONE;
+}
+
 static bool mover_order_project(struct lim_sorter *sorter, struct lim_screen_polygon *out, const struct face *face,
                                 const struct lim_rect *open)
 {
@@ -240,8 +247,7 @@ static bool mover_order_project(struct lim_sorter *sorter, struct lim_screen_pol
     if (!lim_project(out, lim_mover_view(sorter->movers, face->mover), object, face->record, open,
                      lim_stats_of(sorter->pass)))
         return false;
-    if (LIM_HAS_LIGHT && sorter->movers->light->on) out->colour = lim_memory_colour(colour_of(sorter, face));
-    if (LIM_HAS_TEXTURE) *out->texture = LIM_NONE;
+    light_face(sorter, out, face);
     return true;
 }
 
@@ -268,6 +274,28 @@ static const LIM_FLASH lim_index *last_record(const LIM_FLASH lim_index *record)
     return record;
 }
 
+static LIM_IF_CALLED int draw_mesh_leaf(struct lim_sorter *sorter, const struct lim_route *route, uint16_t mover,
+                                        const LIM_FLASH lim_index *run, const struct lim_rect *open,
+                                        lim_mover_draw *draw, void *ctx)
+{
+    const struct lim_mesh_leaf_seen seen = {route->scene, lim_mover_view(sorter->movers, mover), route->eye,
+                                            route->back_to_front};
+    struct lim_mesh_leaf *const leaf = sorter->movers->leaf;
+    struct face face = {.mover = mover, .eye_in_front = true};
+    struct lim_screen_polygon polygon;
+    uint16_t entry;
+    int err = 0;
+
+    lim_mesh_leaf_sort(leaf, &seen, run);
+    while (!err && (entry = lim_mesh_leaf_next(leaf)) != LIM_NONE) {
+        if (!lim_mesh_leaf_project(&polygon, leaf, &seen, entry, open, lim_stats_of(sorter->pass))) continue;
+        face.record = lim_mesh_leaf_record(leaf, route->scene, entry);
+        light_face(sorter, &polygon, &face);
+        err = draw(ctx, LIM_NONE, &polygon, open);
+    }
+    return err;
+}
+
 static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, uint16_t mover, lim_index run,
                     const struct lim_rect *open, lim_mover_draw *draw, void *ctx)
 {
@@ -276,6 +304,8 @@ static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, ui
     struct lim_screen_polygon polygon;
     struct face face = {.plane = &route->scene->nodes[route->node].split, .mover = mover};
 
+    if (LIM_HAS_MESH_LEAVES && lim_is_mesh_leaf(first))
+        return draw_mesh_leaf(sorter, route, mover, first, open, draw, ctx);
     while (record) {
         face.record = record;
         face.eye_in_front = route->side > 0;
@@ -322,7 +352,8 @@ static int draw_entry(struct lim_sorter *sorter, uint16_t entry, const struct li
                       void *ctx)
 {
     if (lim_entry_owner(sorter, entry) == LIM_NONE) return draw_still(sorter, entry, open, draw, ctx);
-    const struct face face = {lim_entry_record(sorter, entry), lim_plane_of(sorter, entry),
+    const bool has_own = LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, entry);
+    const struct face face = {lim_entry_record(sorter, entry), has_own ? NULL : lim_plane_of(sorter, entry),
                               lim_entry_owner(sorter, entry), sorter->newell->polygons[entry].eye_in_front};
     struct lim_screen_polygon polygon;
 

@@ -102,6 +102,22 @@ static inline bool meets_lines(const struct lim_edge_shape *shape, const struct 
     return shape->top < shape->bottom && shape->top < (int16_t)open->y1 && shape->bottom > (int16_t)open->y0;
 }
 
+/* What is left to do once a record's corners are on the screen, and its shape is known. */
+static inline bool set_look(struct lim_screen_polygon *out, const struct lim_view *view, const struct lim_scene *scene,
+                            const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats)
+{
+    if (LIM_HAS_STATS && stats) stats->non_monotone += out->shape.non_monotone;
+    if (!meets_lines(&out->shape, open)) return false;
+    if (LIM_HAS_PIECES || lim_project_is_narrow(view, open)) { /* or they are compared */
+        shape_sides(&out->shape, out->at, out->n, lim_is_polygon_antialiased(out));
+        if (!lim_shape_meets_sides(&out->shape, open)) return false;
+    }
+    out->colour = lim_memory_colour((uint16_t)record[1]);
+    if (LIM_HAS_TRANSPARENT) lim_set_alpha(out, alpha_of(record));
+    if (LIM_HAS_TEXTURE) note_texture(out, scene, record);
+    return true;
+}
+
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
                  const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats)
 {
@@ -120,17 +136,21 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     } else {
         shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
     }
-    if (LIM_HAS_STATS && stats) stats->non_monotone += out->shape.non_monotone;
-    if (!meets_lines(&out->shape, open)) return false;
-    if (LIM_HAS_PIECES || lim_project_is_narrow(view, open)) { /* or they are compared */
-        shape_sides(&out->shape, out->at, out->n, lim_is_polygon_antialiased(out));
-        if (!lim_shape_meets_sides(&out->shape, open)) return false;
-    }
-    out->colour = lim_memory_colour((uint16_t)record[1]);
-    if (LIM_HAS_TRANSPARENT) lim_set_alpha(out, alpha_of(record));
-    if (LIM_HAS_TEXTURE) note_texture(out, scene, record);
-    return true;
+    return set_look(out, view, scene, record, open, stats);
 }
+
+#if LIM_HAS_MESH_LEAVES
+bool lim_project_at(struct lim_screen_polygon *out, const struct lim_view *view, const struct lim_scene *scene,
+                    const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats)
+{
+    out->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
+    lim_set_antialiased(out, lim_is_antialiased(view));
+    if (LIM_HAS_STATS && stats) stats->polygons++;
+    if (LIM_HAS_WIREFRAME) read_hidden(out, record);
+    shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
+    return set_look(out, view, scene, record, open, stats);
+}
+#endif
 
 /* Of a triangle's edges those are the polygon's that lead on from a corner to the next: the first one in the first
  * triangle, the last one in the last, and the middle one in all. */

@@ -35,6 +35,10 @@ static inline struct lim_span_extent lim_shape_lines(const struct lim_edge_shape
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,
                  const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats);
 
+/* The same of a record whose corners are in out->at, and need not be clipped. */
+bool lim_project_at(struct lim_screen_polygon *out, const struct lim_view *view, const struct lim_scene *scene,
+                    const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats);
+
 /* The k-th triangle, 1 <= k <= n - 2, of the fan that stands for a non-monotone polygon. */
 void lim_project_fan(const struct lim_screen_polygon *non_monotone, uint8_t k, struct lim_screen_polygon *triangle);
 

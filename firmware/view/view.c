@@ -125,7 +125,7 @@ void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim
     if (LIM_HAS_STATS) view->vertices++;
 }
 
-#if LIM_HAS_MESHES
+#if LIM_VIEWS_ALL
 
 /* One end of a box along an axis; a half of 32768 reaches a unit too far. */
 static int16_t box_end(const LIM_FLASH struct lim_box *box, uint_fast8_t axis, bool upper)
@@ -136,7 +136,7 @@ static int16_t box_end(const LIM_FLASH struct lim_box *box, uint_fast8_t axis, b
     return (int16_t)(end > INT16_MAX ? INT16_MAX : end < INT16_MIN ? INT16_MIN : end);
 }
 
-/* Where the corners of the box that holds a mesh lie. */
+/* Where the corners of the box that holds a part lie. */
 struct box_view {
     int32_t least_z_qv;  /* how near any comes */
     uint8_t codes;       /* OR'ed */
@@ -151,9 +151,8 @@ static bool is_well_within(int32_t at_qv, int32_t z_qv, int32_t side_px)
     return side_px >= 2 && z_qv > 0 && abs_s32(at_qv) < (uint32_t)(z_qv - (z_qv >> margin_bits));
 }
 
-static struct box_view box_seen(const struct lim_view *view, const struct lim_scene *scene)
+static struct box_view box_seen(const struct lim_view *view, const LIM_FLASH struct lim_box *box)
 {
-    const LIM_FLASH struct lim_box *box = &scene->boxes[0];
     struct box_view seen = {PERSPECTIVE_MAX_QV, 0, true};
 
     for (uint_fast8_t k = 0; k < 8; k++) {
@@ -179,10 +178,11 @@ static uint32_t near_shift_of(const struct lim_view *view, int32_t least_z_qv)
 
 /* Nothing of it needs to be clipped. Returns whether all of it lies on the screen, between its first and its last lines
  * and columns of centres, where that is to be found out. */
-static LIM_INLINE bool project_each(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
-                                    struct lim_point *points, uint16_t *nearness, bool finds_out)
+static LIM_INLINE bool project_each(const struct lim_view *view, const struct lim_scene *scene,
+                                    const struct lim_view_part *part, uint32_t near_shift, struct lim_point *points,
+                                    uint16_t *nearness, bool finds_out)
 {
-    const LIM_FLASH struct lim_vertex *vertex = scene->vertices, *const end = vertex + scene->vertex_count;
+    const LIM_FLASH struct lim_vertex *vertex = scene->vertices + part->first, *const end = vertex + part->count;
     const int32_t from = -LIM_ORIGIN_PX * LIM_SUB;
     const lim_packed first = lim_packed_of(from, from);
     const lim_packed last =
@@ -202,25 +202,27 @@ static LIM_INLINE bool project_each(const struct lim_view *view, const struct li
     return !lim_packed_is_beyond(signs);
 }
 
-static LIM_ALONE bool project_all(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
-                                  struct lim_point *points, uint16_t *nearness)
+static LIM_ALONE bool project_all(const struct lim_view *view, const struct lim_scene *scene,
+                                  const struct lim_view_part *part, uint32_t near_shift, struct lim_point *points,
+                                  uint16_t *nearness)
 {
-    return project_each(view, scene, near_shift, points, nearness, true);
+    return project_each(view, scene, part, near_shift, points, nearness, true);
 }
 
-static LIM_ALONE void project_inside(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
-                                     struct lim_point *points, uint16_t *nearness)
+static LIM_ALONE void project_inside(const struct lim_view *view, const struct lim_scene *scene,
+                                     const struct lim_view_part *part, uint32_t near_shift, struct lim_point *points,
+                                     uint16_t *nearness)
 {
-    project_each(view, scene, near_shift, points, nearness, false);
+    project_each(view, scene, part, near_shift, points, nearness, false);
 }
 
 /* Those before the near plane or beyond the guard band are not, if there may be such. */
-static void project_some(const struct lim_view *view, const struct lim_scene *scene, uint32_t near_shift,
-                         struct lim_point *points, uint16_t *nearness, bool may_clip)
+static void project_some(const struct lim_view *view, const struct lim_scene *scene, const struct lim_view_part *part,
+                         uint32_t near_shift, struct lim_point *points, uint16_t *nearness, bool may_clip)
 {
-    for (lim_index i = 0; i < scene->vertex_count; i++) {
+    for (lim_index i = 0; i < part->count; i++) {
         struct lim_view_point point;
-        transform(view, scene, &scene->vertices[i], &point);
+        transform(view, scene, &scene->vertices[part->first + i], &point);
         const uint8_t codes = codes_of(view, &point);
         if (may_clip && (codes & LIM_VIEW_GUARD)) {
             points[i] = (struct lim_point){(int16_t)(codes & ~LIM_VIEW_GUARD), 0};
@@ -239,38 +241,51 @@ uint16_t lim_view_nearness(const struct lim_view_point *point, uint8_t near_shif
     return perspective_nearness(perspective_depth(point->z_qv), near_shift);
 }
 
-enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
-                                  uint16_t *nearness, uint8_t *shift)
+enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene,
+                                  const struct lim_view_part *part, struct lim_point *points, uint16_t *nearness,
+                                  uint8_t *shift)
 {
-    const struct box_view seen = box_seen(view, scene);
+    const struct box_view seen = box_seen(view, &scene->boxes[part->box]);
     const uint32_t near_shift = near_shift_of(view, seen.least_z_qv);
 
     *shift = (uint8_t)near_shift;
-    if (LIM_HAS_STATS) view->vertices += scene->vertex_count;
+    if (LIM_HAS_STATS) view->vertices += part->count;
     const bool may_clip = seen.codes & LIM_VIEW_GUARD;
     if (LIM_OPTIMISE_SIZE || may_clip) {
-        project_some(view, scene, near_shift, points, nearness, may_clip);
+        project_some(view, scene, part, near_shift, points, nearness, may_clip);
         return may_clip ? LIM_VIEW_CLIPPED : LIM_VIEW_WHOLE;
     }
     if (!seen.is_well_inside)
-        return project_all(view, scene, near_shift, points, nearness) ? LIM_VIEW_INSIDE : LIM_VIEW_WHOLE;
-    project_inside(view, scene, near_shift, points, nearness);
+        return project_all(view, scene, part, near_shift, points, nearness) ? LIM_VIEW_INSIDE : LIM_VIEW_WHOLE;
+    project_inside(view, scene, part, near_shift, points, nearness);
     return LIM_VIEW_INSIDE;
 }
 
-void lim_view_finer(struct lim_view *view, const struct lim_scene *scene, uint8_t bits, uint16_t *nearness,
-                    uint8_t *near_shift)
+/* 2^bits times as fine, where there is less than 2^(15 - bits). */
+static LIM_RARE void view_finer(struct lim_view *view, const struct lim_scene *scene, const struct lim_view_part *part,
+                                uint8_t bits, uint16_t *nearness, uint8_t *near_shift)
 {
     const uint32_t finer_shift = perspective_finer(*near_shift, bits);
 
     *near_shift = (uint8_t)finer_shift;
-    for (lim_index i = 0; i < scene->vertex_count; i++) {
+    for (lim_index i = 0; i < part->count; i++) {
         struct lim_view_point point;
         if (!nearness[i] || nearness[i] >> (15 - bits)) continue;
-        transform(view, scene, &scene->vertices[i], &point);
+        transform(view, scene, &scene->vertices[part->first + i], &point);
         nearness[i] = perspective_nearness(perspective_depth(point.z_qv), finer_shift);
         if (LIM_HAS_STATS) view->vertices++;
     }
+}
+
+enum { REFINED_BITS = 13 }; /* of nearness at most: a plane that is not quite right keeps within 16 */
+
+void lim_view_refine(struct lim_view *view, const struct lim_scene *scene, const struct lim_view_part *part,
+                     uint16_t seen, uint16_t *nearness, uint8_t *near_shift)
+{
+    const uint8_t zeros = seen ? clz_u32(seen) : 0;
+
+    if (zeros > 32 - REFINED_BITS)
+        view_finer(view, scene, part, (uint8_t)(zeros - (32 - REFINED_BITS)), nearness, near_shift);
 }
 
 #endif

@@ -90,22 +90,31 @@ void lim_view_project(const struct lim_view *view, const struct lim_view_point *
 void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,
                        struct lim_view_cached *entry);
 
-/* How a mesh lies on the screen. */
+/* Vertices that are projected at once: those of a mesh, or of a mesh leaf. */
+#define LIM_VIEWS_ALL (LIM_HAS_MESHES || LIM_HAS_MESH_LEAVES)
+struct lim_view_part {
+    lim_index first, count;
+    lim_index box; /* of the scene's boxes: it holds them */
+};
+
+/* How they lie on the screen. */
 enum lim_view_extent {
     LIM_VIEW_INSIDE, /* all of it on the screen */
     LIM_VIEW_WHOLE,  /* none of it needs to be clipped */
     LIM_VIEW_CLIPPED /* some of it may have to be */
 };
 
-/* All vertices of a mesh: where each is on the screen, and its nearness, 1 / z as perspective_nearness() has it; 0 for
+/* All vertices of a part: where each is on the screen, and its nearness, 1 / z as perspective_nearness() has it; 0 for
  * one before the near plane or beyond the guard band, whose point's x is instead its code, without LIM_VIEW_GUARD. */
-enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene, struct lim_point *points,
-                                  uint16_t *nearness, uint8_t *near_shift);
+enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene *scene,
+                                  const struct lim_view_part *part, struct lim_point *points, uint16_t *nearness,
+                                  uint8_t *near_shift);
 
-/* Nearness anew, 2^bits times as fine, where lim_view_all() has set less than 2^(15 - bits); what is nearer, or has
- * none, keeps what it has. */
-void lim_view_finer(struct lim_view *view, const struct lim_scene *scene, uint8_t bits, uint16_t *nearness,
-                    uint8_t *near_shift);
+/* Nearness anew, finer by the bits that what is seen does not use: `seen` is that of all that is, OR'ed. The eye may be
+ * as near as the near plane to some vertex, and what is seen seldom is. What is nearer, or has none, keeps what it has.
+ */
+void lim_view_refine(struct lim_view *view, const struct lim_scene *scene, const struct lim_view_part *part,
+                     uint16_t seen, uint16_t *nearness, uint8_t *near_shift);
 
 /* The nearness of another point of it, which near <= z holds for; `near_shift` as those have set it. */
 uint16_t lim_view_nearness(const struct lim_view_point *point, uint8_t near_shift);
