@@ -86,10 +86,12 @@ static void report_tree(struct compile_report *report, const struct bsp *bsp, co
     report->splits = bsp->splits;
     report->worst_violation_units = bsp_worst_violation(bsp);
     for (size_t i = 0; i < scene->node_count; i++)
-        if (scene->nodes[i].split.plane == LIM_NO_INDEX)
-            report->leaves++;
-        else
+        if (scene->nodes[i].split.plane != LIM_NO_INDEX)
             report->kinds[plane_kind_of(scene, &scene->nodes[i].split)]++;
+        else if (lim_is_mesh_leaf(&scene->polygons[scene->nodes[i].front_run]))
+            report->mesh_leaves++;
+        else
+            report->leaves++;
     snprintf(report->splitter, sizeof report->splitter, "%s", splitter->name);
 }
 
@@ -116,7 +118,9 @@ static void image_make(struct encoding *encoding, const struct grid *grid, struc
 static bool compile_with(struct compilation *work, enum tree_kind kind, const struct splitter *splitter,
                          struct compiled *out, struct error *err)
 {
-    const struct tree_plan plan = {kind, splitter, work->options->tolerance_units};
+    const bool is_divided = kind != TREE_NONE;
+    const struct tree_plan plan = {kind, splitter, work->options->tolerance_units,
+                                   is_divided && work->parts.count ? &work->parts : NULL};
     struct bsp bsp;
     struct encoding encoding = {0};
     bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points);
@@ -316,6 +320,10 @@ bool compilation_begin(struct compilation *work, const struct mesh *mesh, const 
     if (!check_grid(work, err) || !check_size(work, err)) return false;
     if (options->tree == TREE_MESH) return true; /* nothing is divided */
     coplanar_find(mesh, work->points.approx, options->tolerance_units, &work->coplanar);
+    if (options->mesh_leaves == MESH_LEAVES_ALL && compile_options_may_leaf(options)) {
+        parts_find(mesh, work->points.approx, &work->parts);
+        if (options->parts_out) parts_leave_out(&work->parts, mesh, options->parts_out);
+    }
     return deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count);
 }
 
@@ -346,6 +354,7 @@ bool compilation_tree(struct compilation *work, enum tree_kind kind, struct comp
 void compilation_end(struct compilation *work)
 {
     coplanar_free(&work->coplanar);
+    parts_free(&work->parts);
     exact_free(&work->points);
 }
 

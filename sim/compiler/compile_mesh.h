@@ -8,6 +8,7 @@
 #include "scene/compiled.h"
 #include "trees/coplanar.h"
 #include "trees/exact.h"
+#include "trees/parts.h"
 
 /* What every tree of a mesh starts from. */
 struct compilation {
@@ -15,6 +16,7 @@ struct compilation {
     const struct compile_options *options;
     struct exact_points points;
     struct coplanar coplanar;
+    struct parts parts; /* those that become mesh leaves; none of them are found otherwise */
 };
 
 /* Of a mesh with T-vertices already in it. compilation_end() it either way. */

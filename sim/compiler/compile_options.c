@@ -4,6 +4,7 @@
 #include "compiler/compile_options.h"
 
 #include "cameras/camera_choice.h"
+#include "core/core.h"
 #include "model/baked_light.h"
 
 bool compile_options_settle(struct compile_options *options, struct error *err)
@@ -49,6 +50,14 @@ enum lim_method compile_options_draws(const struct compile_options *options)
     if (options->method) return options->method->draws;
     if (options->tree == TREE_NONE) return LIM_NEWELL;
     return options->tree == TREE_MESH ? LIM_MESH_DEPTH : LIM_NEAREST_FIRST;
+}
+
+bool compile_options_may_leaf(const struct compile_options *options)
+{
+    const enum lim_method draws = compile_options_draws(options);
+    if (options->core && options->core->profile == LIM_PROFILE_EXACT) return false;
+    if (options->wireframe || options->framebuffer || options->portals == PORTALS_ON) return false;
+    return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
 }
 
 void compile_options_light(const struct compile_options *options, struct model *model)

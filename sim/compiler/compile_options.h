@@ -16,19 +16,24 @@ struct model;
 /* When to try what other trees cost (tree_choice.h); where none is tried it is the BSP tree. */
 enum tree_trial { TRIAL_NEVER, TRIAL_IF_SPLIT, TRIAL_ALWAYS };
 
+/* Which dense parts become leaves whose order is by distance (mesh_leaf_choice.h). AUTO: those that pay. */
+enum mesh_leaves { MESH_LEAVES_AUTO, MESH_LEAVES_NONE, MESH_LEAVES_ALL };
+
 enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 
 struct compile_options {
-    double tolerance_units;         /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
-    const struct method *method;    /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
-    bool choose_order;              /* where that is NULL: or by scan lines, or as a mesh, if that is cheaper */
-    double wrong_percent;           /* most of pixels that a mesh without a tree may have wrong; 0: its profile's */
-    enum tree_kind tree;            /* TREE_AUTO by default */
-    enum tree_trial trial;          /* of other trees, where it is TREE_AUTO */
-    const char *splitter;           /* heuristic of the tree builder: splitter.h's names */
-    bool keep_faces;                /* do not merge: every face keeps its own number in --ids */
-    const struct core *core;        /* precision profile of the prediction and of NAME.h; NULL: fast */
-    unsigned w_px, h_px;            /* the panel that pool sizes are measured for; 0: 240 */
+    double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
+    const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
+    bool choose_order;           /* where that is NULL: or by scan lines, or as a mesh, if that is cheaper */
+    double wrong_percent;        /* most of pixels that a mesh without a tree may have wrong; 0: its profile's */
+    enum tree_kind tree;         /* TREE_AUTO by default */
+    enum tree_trial trial;       /* of other trees, where it is TREE_AUTO */
+    enum mesh_leaves mesh_leaves;
+    const bool *parts_out;   /* of MESH_LEAVES_ALL: whether a part is none, by its number from 0; NULL: all are */
+    const char *splitter;    /* heuristic of the tree builder: splitter.h's names */
+    bool keep_faces;         /* do not merge: every face keeps its own number in --ids */
+    const struct core *core; /* precision profile of the prediction and of NAME.h; NULL: fast */
+    unsigned w_px, h_px;     /* the panel that pool sizes are measured for; 0: 240 */
     struct orientation orientation; /* of the model's file */
     uint16_t background;            /* RGB565 as a number */
     bool unlit;                     /* colours stay as they are in the model: no light is baked in */
@@ -51,6 +56,10 @@ struct compile_options {
 
 /* --path: reads a camera file, or a map's cameras. What was read before is freed. */
 bool compile_path_parse(const char *text, struct compile_options *out, struct error *err);
+
+/* Whether scenes may have mesh leaves: not where the order is promised, or by methods that do not walk a tree, as
+ * wireframe, into a framebuffer, or beside portals. */
+bool compile_options_may_leaf(const struct compile_options *options);
 
 /* What options own: after the scenes, which may lead into it, whether they were parsed or not. */
 void compile_options_free(struct compile_options *options);

@@ -21,9 +21,10 @@ struct encoder {
     bool with_edges;
     struct grid_point *snapped; /* the exact points, rounded */
     struct vertex_encoder vertices;
-    struct map planes;      /* group -> index */
-    struct outline outline; /* the piece at hand */
-    uint16_t flags;         /* of its records */
+    struct map planes;           /* group -> index */
+    struct outline outline;      /* the piece at hand */
+    uint16_t flags;              /* of its records */
+    struct vertex_encoder *leaf; /* of the mesh leaf at hand, whose vertices are its own; NULL: there is none */
     struct texture_encoder textures;
     struct lim_plane_ref own;   /* with LIM_POLYGON_PLANE: their plane */
     struct texture_plane plane; /* of the records at hand */
@@ -54,6 +55,15 @@ static void edges_add_words(struct encoding *out, const struct outline *outline)
     }
 }
 
+/* In a mesh leaf its own, which whoever comes later may name, too. */
+static uint32_t corner_encode(struct encoder *work, struct grid_point point)
+{
+    if (!work->leaf) return vertex_encode(&work->vertices, point);
+    const uint32_t index = vertex_encode(work->leaf, point);
+    vertex_encode_known(&work->vertices, point, index);
+    return index;
+}
+
 static void record_add(struct encoder *work, const struct outline *outline, const struct mesh_polygon *polygon)
 {
     struct encoding *out = work->out;
@@ -67,13 +77,16 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
                       (with_edges ? LIM_POLYGON_EDGES : 0u) | (is_textured ? LIM_POLYGON_TEXTURE : 0u));
     word_add(out, rgb565_nearest(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
     for (size_t i = 0; i < outline->count; i++)
-        word_add(out, vertex_encode(&work->vertices, outline->corners[i]));
+        word_add(out, corner_encode(work, outline->corners[i]));
     if (work->flags & LIM_POLYGON_PLANE) {
         word_add(out, work->own.plane);
         word_add(out, (lim_index)work->own.offset);
     }
     if (polygon->transparency) word_add(out, LIM_OPAQUE - polygon->transparency);
     if (with_edges) edges_add_words(out, outline);
+    for (size_t i = 0; work->flags & LIM_POLYGON_MESH && i < LIM_POLYGON_MESH_WORDS; i++)
+        word_add(out, 0); /* known in the end */
+    work->flags &= (uint16_t)~LIM_POLYGON_MESH;
     for (size_t i = 0; is_textured && i < LIM_POLYGON_TEXTURE_WORDS; i++)
         word_add(out, texture[i]);
     out->widest = outline->count > out->widest ? outline->count : out->widest;
@@ -250,12 +263,53 @@ static size_t leaf_encode(struct encoder *work, const struct bsp_node *node)
     return first;
 }
 
+/* The plane on which a polygon's texture lies. */
+static void set_texture_plane(struct encoder *work, uint32_t polygon)
+{
+    if (work->bsp->mesh->polygons[polygon].mapping)
+        work->plane = texture_plane_of(work, plane_ref(work, work->bsp->coplanar->group[polygon]));
+}
+
+/* What the first record says of a mesh leaf of `records` records whose vertices are the newest ones. The box is not
+ * known yet. */
+static void mesh_words_set(struct encoding *out, size_t run, size_t first_vertex, size_t records)
+{
+    const size_t at = (size_t)(lim_mesh_leaf_words(&out->words[run]) - out->words);
+    const size_t vertices = out->vertex_count - first_vertex;
+    out->words[at + LIM_MESH_LEAF_FIRST] = (lim_index)first_vertex;
+    out->words[at + LIM_MESH_LEAF_COUNT] = (lim_index)vertices;
+    out->words[at + LIM_MESH_LEAF_POLYGONS] = (lim_index)records;
+    out->leaf_vertices = vertices > out->leaf_vertices ? vertices : out->leaf_vertices;
+    out->leaf_polygons = records > out->leaf_polygons ? records : out->leaf_polygons;
+}
+
+/* A mesh leaf's pieces, with a record for each side from which one is seen, and vertices of their own. */
+static size_t mesh_leaf_encode(struct encoder *work, const struct bsp_node *node)
+{
+    struct encoding *out = work->out;
+    struct vertex_encoder vertices = {.out = out, .with_fractions = work->vertices.with_fractions};
+    const size_t first = out->word_count, first_vertex = out->vertex_count, first_record = out->record_count;
+    work->leaf = &vertices;
+    work->flags = LIM_POLYGON_MESH;
+    for (size_t i = 0; i < node->count; i++) {
+        const uint32_t index = work->bsp->placed[node->first + i];
+        set_texture_plane(work, work->bsp->pieces[index].polygon);
+        for (int back = 0; back < 2; back++)
+            piece_encode(work, index, back);
+    }
+    work->leaf = NULL;
+    vertex_encoder_free(&vertices);
+    out->words[out->last_record] |= LIM_POLYGON_LAST;
+    mesh_words_set(out, first, first_vertex, out->record_count - first_record);
+    return first;
+}
+
 static struct lim_node node_encode(struct encoder *work, const struct bsp_node *node)
 {
     struct lim_node out = {.front = LIM_NO_INDEX, .back = LIM_NO_INDEX, .box = LIM_NO_INDEX};
     if (node->group == BSP_NONE) {
         out.split.plane = out.back_run = LIM_NO_INDEX;
-        out.front_run = (lim_index)leaf_encode(work, node);
+        out.front_run = (lim_index)(node->is_mesh ? mesh_leaf_encode : leaf_encode)(work, node);
         return out;
     }
     out.split = plane_ref(work, node->group);
@@ -288,6 +342,7 @@ static void nodes_encode(struct encoder *work, const uint32_t *heirs)
 static bool check_counts(const struct encoding *out, struct error *err)
 {
     if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
+    if (!encoding_check_count(out->leaf_vertices, "vertices of a mesh leaf", err)) return false;
     if (out->textures.texture_count && !encoding_check_textured(out->word_count, err)) return false;
     return encoding_check_count(out->depth, "levels of the tree", err) && texture_arrays_check(&out->textures, err);
 }

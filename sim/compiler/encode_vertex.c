@@ -25,12 +25,23 @@ static void vertex_add(struct vertex_encoder *encoder, struct grid_point point)
     out->vertices[out->vertex_count++] = (struct lim_vertex){(int16_t)units[0], (int16_t)units[1], (int16_t)units[2]};
 }
 
-uint32_t vertex_encode(struct vertex_encoder *encoder, struct grid_point point)
+/* The point's index, entered as `absent` if new. */
+static uint32_t index_at(struct vertex_encoder *encoder, struct grid_point point, uint32_t absent)
 {
     const uint64_t mask = 0xFFFFFF; /* 24 bits a coordinate */
     const uint64_t x = (uint64_t)point.q8[0] & mask, y = (uint64_t)point.q8[1] & mask, z = (uint64_t)point.q8[2] & mask;
     const uint64_t column = *map_at(&encoder->columns, x << 24 | y, (uint32_t)encoder->columns.count);
-    const uint32_t index = *map_at(&encoder->indices, column << 24 | z, (uint32_t)encoder->out->vertex_count);
+    return *map_at(&encoder->indices, column << 24 | z, absent);
+}
+
+void vertex_encode_known(struct vertex_encoder *encoder, struct grid_point point, uint32_t index)
+{
+    index_at(encoder, point, index);
+}
+
+uint32_t vertex_encode(struct vertex_encoder *encoder, struct grid_point point)
+{
+    const uint32_t index = index_at(encoder, point, (uint32_t)encoder->out->vertex_count);
     if (index == encoder->out->vertex_count) vertex_add(encoder, point);
     return index;
 }

@@ -18,6 +18,9 @@ struct vertex_encoder {
 /* The index of a point, entered if new. */
 uint32_t vertex_encode(struct vertex_encoder *encoder, struct grid_point point);
 
+/* Enters a point that another encoder of the same scene has, unless it is known already. */
+void vertex_encode_known(struct vertex_encoder *encoder, struct grid_point point, uint32_t index);
+
 /* The same point once more, for a record that has another place in its texture there. Nobody finds it by its point. */
 uint32_t vertex_encode_again(struct vertex_encoder *encoder, struct grid_point point);
 

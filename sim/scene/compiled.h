@@ -88,7 +88,8 @@ struct compile_report {
     size_t collapsed; /* pieces that the grid rounded to nothing */
     size_t depth;
     size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */
-    size_t leaves;             /* nodes without a plane */
+    size_t leaves;             /* nodes without a plane, whose polygons have an order */
+    size_t mesh_leaves;        /* nodes without a plane, whose polygons are ordered by distance */
     size_t deep, near_deep;    /* of a mesh: triangles that have depth; that have it near the eye */
     enum tree_kind tree;       /* the kind that won */
     struct tree_choice choice;

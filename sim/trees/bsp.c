@@ -5,6 +5,7 @@
 
 #include "base/grow.h"
 #include "model/inner.h"
+#include "trees/parts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -103,7 +104,12 @@ int bsp_piece_filed(const struct bsp *bsp, const struct bsp_piece *piece, const 
 {
     const int sides = bsp_piece_sides(bsp, piece, plane);
     if (sides != BSP_ON) return sides;
-    return plane_distance(plane, piece->centre) >= 0.0 ? BSP_FRONT : BSP_BACK;
+    const uint32_t part = bsp->parts ? bsp->parts->of[piece->polygon] : 0;
+    double middle[3];
+    for (int k = 0; k < 3; k++)
+        middle[k] =
+            part ? (bsp->parts->items[part - 1].low[k] + bsp->parts->items[part - 1].high[k]) / 2.0 : piece->centre[k];
+    return plane_distance(plane, middle) >= 0.0 ? BSP_FRONT : BSP_BACK;
 }
 
 /* Splitting ---------------------------------------------------------------------------------- */

@@ -12,6 +12,8 @@
 
 #define BSP_NONE UINT32_MAX
 
+struct parts;
+
 /* A corner of a piece and the edge that leads to the next corner. */
 struct bsp_corner {
     uint32_t point, edge;
@@ -30,14 +32,16 @@ struct bsp_node {
     uint32_t front, back; /* child nodes or BSP_NONE */
     uint32_t parent;      /* BSP_NONE at the root */
     bool in_front;        /* is it its parent's front child? */
+    bool is_mesh;         /* a leaf whose pieces come in no order */
     size_t first, count;  /* its pieces: placed[first .. first + count); a leaf's nearest first */
 };
 
 struct bsp {
     const struct mesh *mesh;
     const struct coplanar *coplanar;
-    double tolerance_units; /* a corner this near to a plane counts as on it; 0: only if exactly on it */
-    struct edges edges;     /* leads to the points */
+    const struct parts *parts; /* that shall become mesh leaves; NULL: none */
+    double tolerance_units;    /* a corner this near to a plane counts as on it; 0: only if exactly on it */
+    struct edges edges;        /* leads to the points */
     struct bsp_corner *corners;
     struct bsp_piece *pieces;
     struct bsp_node *nodes; /* parents before children, front subtrees before back ones */
@@ -70,7 +74,8 @@ enum { BSP_ON = 0, BSP_FRONT = 1, BSP_BACK = 2, BSP_BOTH = BSP_FRONT | BSP_BACK 
 /* Where the corners of a piece are: a sum of BSP_FRONT and BSP_BACK. */
 int bsp_piece_sides(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane);
 
-/* The same, but a piece that lies on the plane all over is on the side of its middle: where it is filed. */
+/* The same, but a piece that lies on the plane all over is on the side of its middle, or of its part's: where it is
+ * filed. */
 int bsp_piece_filed(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane);
 
 /* A new piece: that polygon of the mesh, whole. */

@@ -8,6 +8,7 @@
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/progress.h"
+#include "trees/dense_cut.h"
 
 #include <stdlib.h>
 
@@ -117,22 +118,33 @@ static void settle_rings(struct build *build, const uint32_t *list, size_t count
 {
     struct rings *rings = &build->rings;
     if (rings->hiding.count && build->stack.task_count < build->tasks_beside) rings_free(rings);
+    if (dense_count(build->bsp, build->plan->parts, list, count)) return;
     if (rings->hiding.count || !tree_wants_rings(build->plan, count)) return;
     rings_find(rings, build->bsp, list, count);
     build->tasks_beside = build->stack.task_count;
+}
+
+static void leaf_add(struct bsp *bsp, const struct task *task, const uint32_t *pieces, size_t count, bool is_mesh)
+{
+    struct bsp_node *node = node_add(bsp, task, BSP_NONE);
+    node->is_mesh = is_mesh;
+    for (size_t i = 0; i < count; i++)
+        place(bsp, node, pieces[i]);
 }
 
 /* Makes a leaf of the list, if the kind of tree has one here. */
 static bool end_in_leaf(struct build *build, const struct task *task, const uint32_t *list, size_t count)
 {
     struct bsp *bsp = build->bsp;
+    const bool is_dense = dense_count(bsp, build->plan->parts, list, count) > 0;
+    if (is_dense) {
+        if (!tree_ends_dense(bsp, build->plan, list, count)) return false;
+        leaf_add(bsp, task, list, count, true);
+        return true;
+    }
     uint32_t *order = grow_zeroed(count, sizeof *order);
     const bool ends = tree_ends(bsp, build->plan->kind, &build->rings, list, count, order);
-    if (ends) {
-        struct bsp_node *node = node_add(bsp, task, BSP_NONE);
-        for (size_t i = 0; i < count; i++)
-            place(bsp, node, order[i]);
-    }
+    if (ends) leaf_add(bsp, task, order, count, false);
     free(order);
     return ends;
 }
@@ -176,7 +188,8 @@ bool bsp_build(struct bsp *bsp, const struct mesh *mesh, const struct coplanar *
                struct exact_points *points)
 {
     struct build build = {.bsp = bsp, .plan = plan};
-    *bsp = (struct bsp){.mesh = mesh, .coplanar = coplanar, .tolerance_units = plan->tolerance_units};
+    *bsp = (struct bsp){
+        .mesh = mesh, .coplanar = coplanar, .parts = plan->parts, .tolerance_units = plan->tolerance_units};
     bsp->edges.points = points;
     for (size_t i = 0; i < mesh->polygon_count; i++)
         list_add(&build.front, bsp_piece_of(bsp, (uint32_t)i));

@@ -7,6 +7,7 @@
 #include "trees/axis_cut.h"
 #include "trees/cluster.h"
 #include "trees/cluster_cut.h"
+#include "trees/dense_cut.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -53,6 +54,12 @@ bool tree_ends(const struct bsp *bsp, enum tree_kind kind, struct rings *rings, 
     }
 }
 
+bool tree_ends_dense(struct bsp *bsp, const struct tree_plan *plan, const uint32_t *list, size_t count)
+{
+    return dense_count(bsp, plan->parts, list, count) == count && dense_fits(bsp, list, count) &&
+           dense_cut_apart(bsp, plan->parts, list, count) == BSP_NONE;
+}
+
 /* A polygon's own plane where that is cheaper. */
 static uint32_t cut_or_polygon(struct bsp *bsp, const struct splitter *splitter, const uint32_t *list, size_t count)
 {
@@ -73,6 +80,12 @@ uint32_t tree_divider(struct bsp *bsp, const struct tree_plan *plan, struct ring
                       const uint32_t *list, size_t count)
 {
     double cost;
+    const size_t dense = dense_count(bsp, plan->parts, list, count);
+    if (dense && dense < count) return dense_cut_best(bsp, plan->splitter, plan->parts, list, count);
+    if (dense) {
+        const uint32_t cut = dense_cut_apart(bsp, plan->parts, list, count);
+        if (cut != BSP_NONE) return cut; /* else too many for a leaf */
+    }
     if (rings->hiding.count) return cluster_cut_best(bsp, plan->splitter, rings, list, count);
     if (plan->kind == TREE_AXIS) return cut_or_polygon(bsp, plan->splitter, list, count);
     if (plan->kind == TREE_OCTREE) {

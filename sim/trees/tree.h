@@ -14,12 +14,16 @@ struct tree_plan {
     enum tree_kind kind;
     const struct splitter *splitter; /* chooses among the planes of the polygons */
     double tolerance_units;
+    const struct parts *parts; /* dense ones, that shall become mesh leaves; NULL: none */
 };
 
 /* Whether the pieces list[0 .. count) make a leaf; their order, nearest first, goes to `order`. `rings` spares time; it
  * may be empty. */
 bool tree_ends(const struct bsp *bsp, enum tree_kind kind, struct rings *rings, const uint32_t *list, size_t count,
                uint32_t *order);
+
+/* Whether they are all of dense parts, and make a mesh leaf. */
+bool tree_ends_dense(struct bsp *bsp, const struct tree_plan *plan, const uint32_t *list, size_t count);
 
 /* Whether both take rings for a list so long. */
 bool tree_wants_rings(const struct tree_plan *plan, size_t pieces);

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Opaque polygons are joined point by point. A room's walls are large against the room, a statue's faces are small
+ * against the statue: what divides well by planes is left to the tree. */
+#include "trees/parts.h"
+
+#include "base/grow.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double LARGEST_SHARE = 0.5; /* of the diagonal of the part's box */
+
+/* Leaders: each polygon leads to one of its part that comes no later. */
+static uint32_t leader_of(uint32_t *leaders, uint32_t polygon)
+{
+    while (leaders[polygon] != polygon) {
+        leaders[polygon] = leaders[leaders[polygon]];
+        polygon = leaders[polygon];
+    }
+    return polygon;
+}
+
+static void join(uint32_t *leaders, uint32_t a, uint32_t b)
+{
+    const uint32_t p = leader_of(leaders, a), q = leader_of(leaders, b);
+    leaders[p > q ? p : q] = p < q ? p : q;
+}
+
+static uint32_t *find_leaders(const struct mesh *mesh)
+{
+    uint32_t *leaders = grow_zeroed(mesh->polygon_count, sizeof *leaders);
+    uint32_t *met = grow_zeroed(mesh->point_count, sizeof *met); /* a polygon at each point, from 1 */
+    for (uint32_t i = 0; i < mesh->polygon_count; i++) {
+        const struct mesh_polygon *polygon = &mesh->polygons[i];
+        leaders[i] = i;
+        for (uint32_t k = 0; !polygon->transparency && k < polygon->count; k++) {
+            uint32_t *other = &met[mesh->corners[polygon->first + k]];
+            if (*other) join(leaders, *other - 1, i);
+            *other = i + 1;
+        }
+    }
+    free(met);
+    return leaders;
+}
+
+/* What is known of a part, by its leader. */
+struct survey {
+    struct part part;
+    double largest; /* the longest diagonal of a polygon's box */
+    size_t records;
+};
+
+static double diagonal(const double low[3], const double high[3])
+{
+    return sqrt((high[0] - low[0]) * (high[0] - low[0]) + (high[1] - low[1]) * (high[1] - low[1]) +
+                (high[2] - low[2]) * (high[2] - low[2]));
+}
+
+static void survey_add(struct survey *survey, const struct mesh *mesh, const struct mesh_polygon *polygon,
+                       double (*points)[3])
+{
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t c = polygon->first; c < polygon->first + polygon->count; c++)
+        for (int k = 0; k < 3; k++) {
+            low[k] = fmin(low[k], points[mesh->corners[c]][k]);
+            high[k] = fmax(high[k], points[mesh->corners[c]][k]);
+        }
+    const bool is_first = survey->part.polygons++ == 0;
+    if (is_first) survey->part.face = polygon->face;
+    for (int k = 0; k < 3; k++) {
+        survey->part.low[k] = is_first ? low[k] : fmin(survey->part.low[k], low[k]);
+        survey->part.high[k] = is_first ? high[k] : fmax(survey->part.high[k], high[k]);
+    }
+    survey->largest = fmax(survey->largest, diagonal(low, high));
+    survey->records += polygon->two_sided ? 2 : 1;
+}
+
+static bool is_dense(const struct survey *survey)
+{
+    return survey->part.polygons >= PART_POLYGONS_MIN && survey->records <= PART_RECORDS_MAX &&
+           survey->largest <= LARGEST_SHARE * diagonal(survey->part.low, survey->part.high);
+}
+
+static void take(struct parts *out, const struct survey *surveys, const struct mesh *mesh, uint32_t *leaders)
+{
+    for (uint32_t i = 0; i < mesh->polygon_count; i++) {
+        const uint32_t leader = leader_of(leaders, i);
+        if (leader != i)
+            out->of[i] = out->of[leader];
+        else if (!mesh->polygons[i].transparency && is_dense(&surveys[i])) {
+            out->items[out->count++] = surveys[i].part;
+            out->of[i] = (uint32_t)out->count;
+        }
+    }
+}
+
+void parts_find(const struct mesh *mesh, double (*points)[3], struct parts *out)
+{
+    uint32_t *leaders = find_leaders(mesh);
+    struct survey *surveys = grow_zeroed(mesh->polygon_count, sizeof *surveys);
+    *out = (struct parts){.of = grow_zeroed(mesh->polygon_count, sizeof *out->of),
+                          .items = grow_zeroed(mesh->polygon_count / PART_POLYGONS_MIN + 1, sizeof *out->items)};
+    for (uint32_t i = 0; i < mesh->polygon_count; i++)
+        if (!mesh->polygons[i].transparency)
+            survey_add(&surveys[leader_of(leaders, i)], mesh, &mesh->polygons[i], points);
+    take(out, surveys, mesh, leaders);
+    free(surveys);
+    free(leaders);
+}
+
+void parts_leave_out(struct parts *parts, const struct mesh *mesh, const bool *left_out)
+{
+    for (size_t i = 0; i < mesh->polygon_count; i++)
+        if (parts->of[i] && left_out[parts->of[i] - 1]) parts->of[i] = 0;
+    for (size_t i = 0; i < parts->count; i++)
+        if (left_out[i]) parts->items[i].polygons = 0;
+}
+
+size_t parts_taken(const struct parts *parts)
+{
+    size_t taken = 0;
+    for (size_t i = 0; i < parts->count; i++)
+        taken += parts->items[i].polygons > 0;
+    return taken;
+}
+
+void parts_free(struct parts *parts)
+{
+    free(parts->of);
+    free(parts->items);
+    *parts = (struct parts){0};
+}

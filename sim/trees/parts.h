@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The parts of a mesh that hang together, and which of them are dense: what a tree may take whole, as a leaf that the
+ * renderer orders by distance (firmware/SCENE.md, Mesh leaves). */
+#ifndef SIM_PARTS_H
+#define SIM_PARTS_H
+
+#include "model/mesh.h"
+
+/* A dense part: polygons that share points with one another, all opaque, each small against all of it. */
+struct part {
+    uint32_t face;   /* the first one's number in the model file */
+    size_t polygons; /* as the mesh has them */
+    double low[3], high[3];
+};
+
+struct parts {
+    uint32_t *of; /* of each polygon of the mesh, its part, counted from 1; 0: of none that is dense */
+    struct part *items;
+    size_t count;
+};
+
+/* The least polygons of a dense part, and the most records that a leaf holds. */
+enum { PART_POLYGONS_MIN = 64, PART_RECORDS_MAX = 32767 };
+
+/* `points` are the mesh's, in units. Parts are in the order of their first polygons. */
+void parts_find(const struct mesh *mesh, double (*points)[3], struct parts *out);
+
+/* Takes those out of which left_out[i] is true, i from 0; the others keep their numbers. */
+void parts_leave_out(struct parts *parts, const struct mesh *mesh, const bool *left_out);
+
+/* How many there are, without those left out. */
+size_t parts_taken(const struct parts *parts);
+
+void parts_free(struct parts *parts);
+
+#endif
