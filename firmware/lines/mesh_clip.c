@@ -9,20 +9,6 @@
 
 #if LIM_HAS_MESHES
 
-/* Twice the area in sub-pixels, of corners at most two screens and a half apart: negative where it faces the eye, as y
- * goes down. */
-static int64_t area_of(const struct lim_point *at, uint8_t n)
-{
-    int64_t area = 0;
-
-    for (uint_fast8_t k = 2; k < n; k++) {
-        const int32_t ux = (int32_t)at[k - 1].x - at[0].x, uy = (int32_t)at[k - 1].y - at[0].y;
-        const int32_t vx = (int32_t)at[k].x - at[0].x, vy = (int32_t)at[k].y - at[0].y;
-        area += (int64_t)ux * vy - (int64_t)uy * vx;
-    }
-    return area;
-}
-
 bool lim_mesh_clip(const struct lim_mesh *mesh, lim_index triangle, struct lim_mesh_clipped *out)
 {
     const struct lim_pass *pass = mesh->pass;
@@ -40,7 +26,7 @@ bool lim_mesh_clip(const struct lim_mesh *mesh, lim_index triangle, struct lim_m
         lim_view_project(&pass->view, &clipped->at[k], &out->at[k]);
         out->nearness[k] = lim_view_nearness(&clipped->at[k], mesh->near_shift);
     }
-    if (!out->n || area_of(out->at, out->n) >= 0) return false;
+    if (!out->n || lim_edge_area(out->at, out->n) >= 0) return false;
     lim_edge_bounds(&out->shape, out->at, out->n);
     return true;
 }
@@ -54,7 +40,7 @@ bool lim_mesh_fan(const struct lim_mesh_clipped *clipped, uint8_t part, struct l
         corner += i ? 1u : part;
         if (corner >= clipped->n) corner -= clipped->n;
     }
-    return area_of(at, 3) < 0;
+    return lim_edge_area(at, 3) < 0;
 }
 
 #endif

@@ -299,7 +299,7 @@ static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const struct
 bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_index *run)
 {
     struct lim_pass *const pass = nearest->pass;
-    const struct lim_mesh_leaf_seen seen = {pass->scene, &pass->view, lim_eye_of(pass), false};
+    const struct lim_mesh_leaf_seen seen = {pass->scene, &pass->view, false};
     struct lim_mesh_leaf *const leaf = *nearest->leaf;
     uint16_t entry;
 

@@ -190,7 +190,7 @@ static LIM_IF_CALLED int paint_mesh_leaf(struct lim_painter *painter, const LIM_
                                          const struct lim_rect *screen)
 {
     struct lim_pass *const pass = painter->pass;
-    const struct lim_mesh_leaf_seen seen = {pass->scene, &pass->view, lim_eye_of(pass), true};
+    const struct lim_mesh_leaf_seen seen = {pass->scene, &pass->view, true};
     struct lim_screen_polygon polygon;
     uint16_t entry;
     int err = 0;

@@ -4,7 +4,7 @@
  * insertion, as it is short. */
 #include "pieces/mesh_leaf.h"
 
-#include "movers/deform.h"
+#include "screen/edge.h"
 #include "screen/project.h"
 #include "view/packed.h"
 #include "view/pass.h"
@@ -27,21 +27,17 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
 /* What faces the eye ------------------------------------------------------------------------------------------------
  */
 
-/* Twice the area in sub-pixels, of corners on the screen or around it: negative where it faces the eye, as y goes down.
- */
-static int64_t leaf_area(const struct lim_point *at, uint8_t n)
+/* What has to be clipped, as what is left of it does. */
+static LIM_RARE bool clipped_faces(const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record)
 {
-    int64_t area = 0;
+    const struct lim_rect screen = {0, 0, (uint16_t)seen->view->width.px, (uint16_t)seen->view->height.px};
+    struct lim_screen_polygon polygon;
 
-    for (uint_fast8_t k = 2; k < n; k++) {
-        const int32_t ux = (int32_t)at[k - 1].x - at[0].x, uy = (int32_t)at[k - 1].y - at[0].y;
-        const int32_t vx = (int32_t)at[k].x - at[0].x, vy = (int32_t)at[k].y - at[0].y;
-        area += (int64_t)ux * vy - (int64_t)uy * vx;
-    }
-    return area;
+    return lim_project(&polygon, seen->view, seen->scene, record, &screen, NULL) &&
+           lim_edge_area(polygon.at, polygon.n) < 0;
 }
 
-/* Of more corners than three; what has to be clipped is asked by its plane. */
+/* Of more corners than three, or perhaps to be clipped. */
 static LIM_RARE bool polygon_faces(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
                                    const LIM_FLASH lim_index *record)
 {
@@ -49,7 +45,7 @@ static LIM_RARE bool polygon_faces(const struct lim_mesh_leaf *leaf, const struc
     struct lim_point at[LIM_MAX_VERTICES];
 
     LIM_DEBUG_ASSERT(n <= LIM_MAX_VERTICES);
-    return lim_mesh_leaf_corners(leaf, record, n, at) ? leaf_area(at, n) < 0 : lim_deform_is_seen(seen->eye, record);
+    return lim_mesh_leaf_corners(leaf, record, n, at) ? lim_edge_area(at, n) < 0 : clipped_faces(seen, record);
 }
 
 static inline bool leaf_faces(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,

@@ -3,7 +3,7 @@
  * MESH LEAF: a dense part of a tree that no planes divide (SCENE.md), or a dense object that moves. Its vertices are
  * projected once; polygons whose corners run counter-clockwise on the screen are sorted by the mean nearness of these;
  * then they come one by one, in the order of drawing. That is not exact, as LIM_MESH is not; edges are, as everywhere.
- * In: a mesh leaf's run, a view, an eye. Memory: LIM_MESH_LEAF_MEM_B(), lent. */
+ * In: a mesh leaf's run, a view. Memory: LIM_MESH_LEAF_MEM_B(), lent. */
 #ifndef LIM_MESH_LEAF_H
 #define LIM_MESH_LEAF_H
 
@@ -21,7 +21,6 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
 struct lim_mesh_leaf_seen {
     const struct lim_scene *scene;
     struct lim_view *view;
-    const struct lim_eye *eye;
     bool back_to_front;
 };
 

@@ -87,7 +87,7 @@ static LIM_IF_CALLED bool add_entry(struct lim_sorter *sorter, struct lim_queue 
 static LIM_IF_CALLED bool add_mesh_leaf(struct lim_sorter *sorter, struct lim_queue *queue,
                                         const struct lim_route *route, uint16_t mover, lim_index run)
 {
-    const struct lim_mesh_leaf_seen seen = {route->scene, lim_mover_view(sorter->movers, mover), route->eye, false};
+    const struct lim_mesh_leaf_seen seen = {route->scene, lim_mover_view(sorter->movers, mover), false};
     struct lim_mesh_leaf *const leaf = sorter->movers->leaf;
     uint16_t at;
 

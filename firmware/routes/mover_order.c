@@ -278,8 +278,7 @@ static LIM_IF_CALLED int draw_mesh_leaf(struct lim_sorter *sorter, const struct 
                                         const LIM_FLASH lim_index *run, const struct lim_rect *open,
                                         lim_mover_draw *draw, void *ctx)
 {
-    const struct lim_mesh_leaf_seen seen = {route->scene, lim_mover_view(sorter->movers, mover), route->eye,
-                                            route->back_to_front};
+    const struct lim_mesh_leaf_seen seen = {route->scene, lim_mover_view(sorter->movers, mover), route->back_to_front};
     struct lim_mesh_leaf *const leaf = sorter->movers->leaf;
     struct face face = {.mover = mover, .eye_in_front = true};
     struct lim_screen_polygon polygon;

@@ -270,4 +270,18 @@ static inline void lim_edge_bounds_sides(struct lim_edge_shape *shape, const str
     shape->right = (int16_t)(lim_edge_row(right) + LIM_ORIGIN_PX);
 }
 
+/* Twice the area in sub-pixels, of corners at most two screens and a half apart: negative where it faces the eye, as y
+ * goes down. */
+static inline int64_t lim_edge_area(const struct lim_point *at, uint8_t n)
+{
+    int64_t area = 0;
+
+    for (uint_fast8_t k = 2; k < n; k++) {
+        const int32_t ux = (int32_t)at[k - 1].x - at[0].x, uy = (int32_t)at[k - 1].y - at[0].y;
+        const int32_t vx = (int32_t)at[k].x - at[0].x, vy = (int32_t)at[k].y - at[0].y;
+        area += (int64_t)ux * vy - (int64_t)uy * vx;
+    }
+    return area;
+}
+
 #endif
