@@ -296,6 +296,17 @@ static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const struct
            lim_collect_polygon(nearest, &polygon);
 }
 
+/* Whether all of the leaf lies behind what is closed: then its vertices need not be projected. */
+static bool is_hidden_leaf(const struct lim_nearest *nearest, const LIM_FLASH lim_index *run)
+{
+    const struct lim_pass *pass = nearest->pass;
+    const lim_index box = lim_mesh_leaf_words(run)[LIM_MESH_LEAF_BOX];
+    struct lim_rect rect;
+
+    return !lim_nearest_retains_all(nearest) && lim_view_box_rect(&pass->view, &pass->scene->boxes[box], &rect) &&
+           !lim_spans_may_show(&nearest->spans, &rect);
+}
+
 bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_index *run)
 {
     struct lim_pass *const pass = nearest->pass;
@@ -303,6 +314,7 @@ bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_inde
     struct lim_mesh_leaf *const leaf = *nearest->leaf;
     uint16_t entry;
 
+    if (is_hidden_leaf(nearest, run)) return true;
     lim_mesh_leaf_sort(leaf, &seen, run);
     if (LIM_HAS_STATS) lim_stats_of(pass)->records += lim_mesh_leaf_words(run)[LIM_MESH_LEAF_POLYGONS];
     if (leaf->extent != LIM_VIEW_INSIDE) nearest->retained.overhangs = true;

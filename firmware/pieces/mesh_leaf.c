@@ -48,7 +48,32 @@ static LIM_RARE bool polygon_faces(const struct lim_mesh_leaf *leaf, const struc
     return lim_mesh_leaf_corners(leaf, record, n, at) ? lim_edge_area(at, n) < 0 : clipped_faces(seen, record);
 }
 
-static inline bool leaf_faces(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
+static inline int32_t leaf_least(int32_t a, int32_t b, int32_t c)
+{
+    const int32_t ab = a < b ? a : b;
+
+    return ab < c ? ab : c;
+}
+
+static inline int32_t leaf_most(int32_t a, int32_t b, int32_t c)
+{
+    const int32_t ab = a > b ? a : b;
+
+    return ab > c ? ab : c;
+}
+
+/* Whether there is the centre of a line, and of a column, between the corners: far away most triangles have none. */
+static inline bool has_centres(lim_packed a, lim_packed b, lim_packed c)
+{
+    const int32_t top = lim_packed_least_y(a, b, c), bottom = lim_packed_most_y(a, b, c);
+    const int32_t ax = lim_packed_x(a), bx = lim_packed_x(b), cx = lim_packed_x(c);
+
+    return lim_edge_row((lim_edge_sub)top) != lim_edge_row((lim_edge_sub)bottom) &&
+           lim_edge_row((lim_edge_sub)leaf_least(ax, bx, cx)) != lim_edge_row((lim_edge_sub)leaf_most(ax, bx, cx));
+}
+
+/* Of what faces the eye, what may have pixels. */
+static inline bool leaf_shows(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
                               const LIM_FLASH lim_index *record)
 {
     const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
@@ -58,7 +83,9 @@ static inline bool leaf_faces(const struct lim_mesh_leaf *leaf, const struct lim
     const lim_packed a = lim_packed_load(&leaf->points[corners[0] - leaf->first]);
     const lim_packed b = lim_packed_load(&leaf->points[corners[1] - leaf->first]);
     const lim_packed c = lim_packed_load(&leaf->points[corners[2] - leaf->first]);
-    return leaf->extent == LIM_VIEW_INSIDE && !LIM_WIDE ? lim_packed_turns(a, b, c) : lim_packed_turns_far(a, b, c);
+    const bool faces =
+        leaf->extent == LIM_VIEW_INSIDE && !LIM_WIDE ? lim_packed_turns(a, b, c) : lim_packed_turns_far(a, b, c);
+    return faces && (lim_is_antialiased(seen->view) || has_centres(a, b, c));
 }
 
 /* Nearness of its corners -------------------------------------------------------------------------------------------
@@ -119,7 +146,7 @@ static uint16_t list_seen(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf
     leaf->used = 0;
     for (;;) {
         const lim_index head = record[0];
-        if (leaf_faces(leaf, seen, record)) {
+        if (leaf_shows(leaf, seen, record)) {
             leaf->entries[leaf->used++].record = (lim_index)(record - seen->scene->polygons);
             if (leaf->extent == LIM_VIEW_CLIPPED) nearest |= nearness_bits(leaf, seen, record);
         }

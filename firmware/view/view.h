@@ -110,6 +110,10 @@ enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene 
                                   const struct lim_view_part *part, struct lim_point *points, uint16_t *nearness,
                                   uint8_t *near_shift);
 
+/* Of the screen, what holds a box's pixels: a pixel more on each side than its corners. false: it meets the near plane,
+ * or reaches far beyond the screen. */
+bool lim_view_box_rect(const struct lim_view *view, const LIM_FLASH struct lim_box *box, struct lim_rect *rect);
+
 /* Nearness anew, finer by the bits that what is seen does not use: `seen` is that of all that is, OR'ed. The eye may be
  * as near as the near plane to some vertex, and what is seen seldom is. What is nearer, or has none, keeps what it has.
  */
