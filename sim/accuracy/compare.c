@@ -76,6 +76,17 @@ struct compare_counts compare_wrong(const uint32_t *rendered, const struct refer
     return counts;
 }
 
+void compare_count_faces(const uint32_t *rendered, const struct reference *reference, const uint32_t *groups,
+                         uint32_t *wrong_of_face)
+{
+    for (size_t pixel = 0; pixel < (size_t)reference->w_px * reference->h_px; pixel++) {
+        const uint32_t seen = group_of(groups, rendered[pixel]), wanted = group_of(groups, reference->faces[pixel]);
+        if (seen == wanted) continue;
+        wrong_of_face[seen]++;
+        wrong_of_face[wanted]++;
+    }
+}
+
 bool compare_is_faultier(const struct compare_counts *a, const struct compare_counts *b)
 {
     return a->holes > b->holes || (a->holes == b->holes && a->wrong > b->wrong);

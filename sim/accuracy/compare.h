@@ -40,6 +40,11 @@ struct compare_counts compare_picture(const uint32_t *rendered, const struct ref
 struct compare_counts compare_wrong(const uint32_t *rendered, const struct reference *reference,
                                     const uint32_t *groups);
 
+/* Adds 1 to the count of the face that is seen, and to that of the one that should be, for each wrong pixel; by the
+ * numbers that `groups` gives them. */
+void compare_count_faces(const uint32_t *rendered, const struct reference *reference, const uint32_t *groups,
+                         uint32_t *wrong_of_face);
+
 /* compare_picture() for one pixel. */
 enum compare_verdict compare_pixel(const uint32_t *rendered, const struct reference *reference, const uint32_t *groups,
                                    double unit_m, size_t pixel);

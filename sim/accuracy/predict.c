@@ -22,6 +22,7 @@ enum view_kind { VIEW_ANYWHERE, VIEW_NEAR, VIEW_PORTRAIT, VIEW_KINDS };
 struct candidate {
     struct ids ids;
     struct comparison sums[VIEW_KINDS];
+    uint32_t *wrong_of_face; /* NULL: nobody asks */
 };
 
 struct predicting {
@@ -69,6 +70,9 @@ static bool compare_view(struct predicting *predicting, enum view_kind kind, con
         const struct compare_counts counts =
             compare_wrong(candidate->ids.faces, predicting->reference, predicting->groups);
         comparison_add(&candidate->sums[kind], &counts);
+        if (candidate->wrong_of_face)
+            compare_count_faces(candidate->ids.faces, predicting->reference, predicting->groups,
+                                candidate->wrong_of_face);
     }
     return true;
 }
@@ -165,7 +169,16 @@ bool predict_wrong(const struct compiled *scene, const struct core *core, struct
 bool predict_held_out(const struct compiled *const *scenes, size_t count, const struct core *core,
                       struct reference *reference, const uint32_t *groups, struct predicted *out, struct error *err)
 {
+    return predict_held_out_faces(scenes, count, core, reference, groups, out, NULL, err);
+}
+
+bool predict_held_out_faces(const struct compiled *const *scenes, size_t count, const struct core *core,
+                            struct reference *reference, const uint32_t *groups, struct predicted *out,
+                            uint32_t *const *wrong_of_face, struct error *err)
+{
     struct predicting predicting = {.reference = reference, .groups = groups, .seed = HELD_OUT_SEED};
+    for (size_t i = 0; wrong_of_face && i < count; i++)
+        predicting.candidates[i].wrong_of_face = wrong_of_face[i];
     const int near_count = scenes[0]->original ? PREDICT_CAMERAS / 2 : 0;
     const int counts[VIEW_KINDS] = {PREDICT_CAMERAS - near_count, near_count, PREDICT_CAMERAS / 2};
     return predict(&predicting, scenes, count, counts, core, out, err);

@@ -24,4 +24,9 @@ bool predict_wrong(const struct compiled *scene, const struct core *core, struct
 bool predict_held_out(const struct compiled *const *scenes, size_t count, const struct core *core,
                       struct reference *reference, const uint32_t *groups, struct predicted *out, struct error *err);
 
+/* The same, and of which faces pixels are wrong: adds to wrong_of_face[i] of scene i as compare_count_faces() does. */
+bool predict_held_out_faces(const struct compiled *const *scenes, size_t count, const struct core *core,
+                            struct reference *reference, const uint32_t *groups, struct predicted *out,
+                            uint32_t *const *wrong_of_face, struct error *err);
+
 #endif

@@ -24,6 +24,7 @@ enum option_code {
     OPTION_TOLERANCE = 256,
     OPTION_SPLITTER,
     OPTION_TREE,
+    OPTION_MESH_LEAVES,
     OPTION_METHOD,
     OPTION_KEEP_FACES,
     OPTION_PORTALS,
@@ -56,6 +57,7 @@ static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"tree", required_argument, NULL, OPTION_TREE},
+    {"mesh-leaves", required_argument, NULL, OPTION_MESH_LEAVES},
     {"method", required_argument, NULL, OPTION_METHOD},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
@@ -139,6 +141,8 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return compile_method_parse(optarg, &out->compile, err);
     case OPTION_TREE:
         return tree_choice_parse(optarg, &out->compile, err);
+    case OPTION_MESH_LEAVES:
+        return mesh_leaves_parse(optarg, &out->compile.mesh_leaves, err);
     case OPTION_PORTALS:
         return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_BACKGROUND:

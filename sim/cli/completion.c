@@ -7,6 +7,7 @@
 #include "cli/esp_image.h"
 #include "cli/uf2.h"
 #include "cli/usage.h"
+#include "compiler/compile_options.h"
 #include "compiler/moving_compile.h"
 #include "compiler/portal_choice.h"
 #include "core/core.h"
@@ -200,6 +201,9 @@ static void put_values(FILE *out)
     fputs("' ;;\n    --tree) words='", out);
     for (size_t i = 0; i < TREE_KINDS; i++)
         fprintf(out, "%s ", tree_names[i]);
+    fputs("' ;;\n    --mesh-leaves) words='", out);
+    for (size_t i = 0; i <= MESH_LEAVES_ALL; i++)
+        fprintf(out, "%s ", mesh_leaves_names[i]);
     fputs("' ;;\n", out);
     put_told_values(out);
 }

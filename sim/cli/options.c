@@ -39,6 +39,7 @@ enum option_code {
     OPTION_METHOD,
     OPTION_SPLITTER,
     OPTION_TREE,
+    OPTION_MESH_LEAVES,
     OPTION_TOLERANCE,
     OPTION_UNLIT,
     OPTION_BACKGROUND,
@@ -83,6 +84,7 @@ static const struct option OPTIONS[] = {
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"tree", required_argument, NULL, OPTION_TREE},
+    {"mesh-leaves", required_argument, NULL, OPTION_MESH_LEAVES},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"background", required_argument, NULL, OPTION_BACKGROUND},
@@ -260,6 +262,8 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return caption_check(text, err);
     case OPTION_TREE:
         return tree_choice_parse(text, &out->compile, err);
+    case OPTION_MESH_LEAVES:
+        return mesh_leaves_parse(text, &out->compile.mesh_leaves, err);
     case OPTION_TOLERANCE:
         return parse_tolerance(text, &out->compile.tolerance_units, err);
     case OPTION_OUT:

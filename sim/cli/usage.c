@@ -104,6 +104,10 @@ static const struct usage_entry ENTRIES[] = {
      "  --tree NAME         auto, bsp, clusters, axis, octree, none: a set, or mesh; auto: bsp, clusters\n"
      "                      or axis, whichever draws sampled cameras cheapest (auto where bsp splits a quarter,\n"
      "                      else bsp)\n"},
+    {SCENES | MEASURE | ONE,
+     "  --mesh-leaves WHICH dense parts of a tree that no plane divides, ordered by distance: approximate; all of\n"
+     "                      those that may be, none, or auto: where method and tree are open, those that cost less\n"
+     "                      and err no more than the precision promises (auto; render, view: none)\n"},
     {SCENES | MEASURE | COMPARE | ONE,
      "  --splitter NAME     which polygon's plane divides: first, fewest, balanced, weighted, sampled,\n"
      "                      or the best of fewest and all weights: auto (auto)\n"},

@@ -7,6 +7,7 @@
 #include "base/grow.h"
 #include "compiler/faithful.h"
 #include "compiler/mesh_choice.h"
+#include "compiler/mesh_leaf_choice.h"
 #include "core/core.h"
 #include "model/original.h"
 #include "readers/model_read.h"
@@ -50,13 +51,19 @@ static bool compile_held_against(const struct model *model, const struct mesh *m
 {
     struct reference reference = {0};
     struct mesh_trials trials;
+    struct leaf_trial leaves = {0};
     const bool may_be_mesh = mesh_choice_try(mesh, options, out, &trials);
-    bool ok = (!may_be_mesh && !options->predict) || predict_reference(model, &mesh->grid, &reference, err);
+    const bool known = may_be_mesh || options->predict;
+    bool ok = !known || predict_reference(model, &mesh->grid, &reference, err);
     if (ok && may_be_mesh) ok = mesh_choice_settle(&trials, mesh, options, &reference, mesh->merged_into, out, err);
+    if (ok && leaf_trial_begin(&leaves, mesh, options, out))
+        ok = (known || predict_reference(model, &mesh->grid, &reference, err)) &&
+             leaf_trial_settle(&leaves, &reference, mesh->merged_into, out, err);
     if (ok && options->predict)
         ok = predict_wrong(out, options->core, &reference, mesh->merged_into, &out->report.wrong, err);
     reference_free(&reference);
     mesh_trials_free(&trials);
+    leaf_trial_free(&leaves);
     return ok;
 }
 

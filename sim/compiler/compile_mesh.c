@@ -114,6 +114,19 @@ static void image_make(struct encoding *encoding, const struct grid *grid, struc
     lim_image_make(encoding, grid, out);
 }
 
+/* Which dense parts it has as leaves. */
+static void report_parts(struct leaf_report *report, const struct parts *parts)
+{
+    *report = (struct leaf_report){.instructions = NAN, .without_instructions = NAN, .wrong_percent = NAN};
+    for (size_t i = 0; i < parts->count; i++) {
+        if (!parts->items[i].polygons) continue;
+        if (report->count < LEAF_PARTS_TOLD)
+            report->parts[report->count] = (struct leaf_part){parts->items[i].face, parts->items[i].polygons};
+        report->count++;
+        report->polygons += parts->items[i].polygons;
+    }
+}
+
 /* One heuristic, from the list of polygons to the scene. */
 static bool compile_with(struct compilation *work, enum tree_kind kind, const struct splitter *splitter,
                          struct compiled *out, struct error *err)
@@ -133,6 +146,7 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
         image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, work->mesh, &encoding, &out->scene, kind);
         report_tree(&out->report, &bsp, &out->scene, splitter);
+        report_parts(&out->report.leaf_parts, &work->parts);
         out->report.draws = draws_with(work->options, out->report.convex);
     }
     encoding_free(&encoding);
@@ -320,10 +334,8 @@ bool compilation_begin(struct compilation *work, const struct mesh *mesh, const 
     if (!check_grid(work, err) || !check_size(work, err)) return false;
     if (options->tree == TREE_MESH) return true; /* nothing is divided */
     coplanar_find(mesh, work->points.approx, options->tolerance_units, &work->coplanar);
-    if (options->mesh_leaves == MESH_LEAVES_ALL && compile_options_may_leaf(options)) {
+    if (options->mesh_leaves == MESH_LEAVES_ALL && compile_options_may_leaf(options))
         parts_find(mesh, work->points.approx, &work->parts);
-        if (options->parts_out) parts_leave_out(&work->parts, mesh, options->parts_out);
-    }
     return deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count);
 }
 

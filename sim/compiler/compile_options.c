@@ -7,6 +7,8 @@
 #include "core/core.h"
 #include "model/baked_light.h"
 
+#include <string.h>
+
 bool compile_options_settle(struct compile_options *options, struct error *err)
 {
     const struct method *method = options->method;
@@ -50,6 +52,18 @@ enum lim_method compile_options_draws(const struct compile_options *options)
     if (options->method) return options->method->draws;
     if (options->tree == TREE_NONE) return LIM_NEWELL;
     return options->tree == TREE_MESH ? LIM_MESH_DEPTH : LIM_NEAREST_FIRST;
+}
+
+const char *const mesh_leaves_names[] = {"auto", "none", "all"};
+
+bool mesh_leaves_parse(const char *text, enum mesh_leaves *out, struct error *err)
+{
+    for (int i = 0; i <= MESH_LEAVES_ALL; i++) {
+        if (strcmp(text, mesh_leaves_names[i]) != 0) continue;
+        *out = (enum mesh_leaves)i;
+        return true;
+    }
+    return error_set(err, "--mesh-leaves %s: no such choice; there are auto, none and all", text);
 }
 
 bool compile_options_may_leaf(const struct compile_options *options)

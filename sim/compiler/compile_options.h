@@ -19,6 +19,11 @@ enum tree_trial { TRIAL_NEVER, TRIAL_IF_SPLIT, TRIAL_ALWAYS };
 /* Which dense parts become leaves whose order is by distance (mesh_leaf_choice.h). AUTO: those that pay. */
 enum mesh_leaves { MESH_LEAVES_AUTO, MESH_LEAVES_NONE, MESH_LEAVES_ALL };
 
+extern const char *const mesh_leaves_names[MESH_LEAVES_ALL + 1];
+
+/* --mesh-leaves. */
+bool mesh_leaves_parse(const char *text, enum mesh_leaves *out, struct error *err);
+
 enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 
 struct compile_options {
@@ -29,11 +34,10 @@ struct compile_options {
     enum tree_kind tree;         /* TREE_AUTO by default */
     enum tree_trial trial;       /* of other trees, where it is TREE_AUTO */
     enum mesh_leaves mesh_leaves;
-    const bool *parts_out;   /* of MESH_LEAVES_ALL: whether a part is none, by its number from 0; NULL: all are */
-    const char *splitter;    /* heuristic of the tree builder: splitter.h's names */
-    bool keep_faces;         /* do not merge: every face keeps its own number in --ids */
-    const struct core *core; /* precision profile of the prediction and of NAME.h; NULL: fast */
-    unsigned w_px, h_px;     /* the panel that pool sizes are measured for; 0: 240 */
+    const char *splitter;           /* heuristic of the tree builder: splitter.h's names */
+    bool keep_faces;                /* do not merge: every face keeps its own number in --ids */
+    const struct core *core;        /* precision profile of the prediction and of NAME.h; NULL: fast */
+    unsigned w_px, h_px;            /* the panel that pool sizes are measured for; 0: 240 */
     struct orientation orientation; /* of the model's file */
     uint16_t background;            /* RGB565 as a number */
     bool unlit;                     /* colours stay as they are in the model: no light is baked in */

@@ -91,8 +91,7 @@ bool mesh_choice_try(const struct mesh *mesh, const struct compile_options *opti
     return true;
 }
 
-/* The worse of all and of portraits. */
-static double worst_percent(const struct predicted *wrong)
+double mesh_choice_worst_percent(const struct predicted *wrong)
 {
     return wrong->portrait_cameras ? fmax(wrong->percent, wrong->portrait_percent) : wrong->percent;
 }
@@ -107,7 +106,7 @@ static void take(struct compiled *scene, struct compiled *candidate, struct mesh
 }
 
 /* A scene that even the tree draws with more wrong pixels than promised is not drawn as right by anything. */
-static double bound_percent(const struct compile_options *options, double tree_percent)
+double mesh_choice_bound_percent(const struct compile_options *options, double tree_percent)
 {
     const double promised =
         options->wrong_percent > 0 ? options->wrong_percent : mesh_choice_promised_percent(options->core);
@@ -135,10 +134,10 @@ static bool look(const struct settling *work, struct mesh_trials *trials, struct
         if (candidates[i]->scene.polygon_count) scenes[count++] = candidates[i];
     if (!predict_held_out(scenes, count, work->options->core, work->reference, work->groups, wrong, err)) return false;
     choice->cameras = wrong[0].cameras;
-    choice->tree_wrong_percent = worst_percent(&wrong[0]);
-    choice->bound_percent = bound_percent(work->options, choice->tree_wrong_percent);
+    choice->tree_wrong_percent = mesh_choice_worst_percent(&wrong[0]);
+    choice->bound_percent = mesh_choice_bound_percent(work->options, choice->tree_wrong_percent);
     for (size_t i = 0, k = 1; i < 2; i++)
-        if (candidates[i]->scene.polygon_count) rows[i]->wrong_percent = worst_percent(&wrong[k++]);
+        if (candidates[i]->scene.polygon_count) rows[i]->wrong_percent = mesh_choice_worst_percent(&wrong[k++]);
     return true;
 }
 

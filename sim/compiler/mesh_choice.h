@@ -20,6 +20,13 @@ struct mesh_trials {
 /* Percent of wrong pixels that a profile promises; 0: none. NULL: fast. */
 double mesh_choice_promised_percent(const struct core *core);
 
+/* The most that a scene may have wrong in place of one that has tree_percent wrong: what its options or its profile
+ * promise, or a little more than that one. */
+double mesh_choice_bound_percent(const struct compile_options *options, double tree_percent);
+
+/* The worse of all cameras and of portraits. */
+double mesh_choice_worst_percent(const struct predicted *wrong);
+
 /* Compiles them, if the options leave the choice and it is predicted to need fewer instructions than the scene that has
  * been compiled, which notes what was tried. Returns whether the reference is wanted; mesh_trials_free() in any case.
  */

@@ -111,6 +111,27 @@ static void print_mesh_choice(const struct compiled *scene)
                choice->tree_mem_b);
 }
 
+/* Dense parts whose order is by distance, in one line; or why there are none. */
+static void print_leaf_parts(const struct compile_report *report)
+{
+    const struct leaf_report *leaves = &report->leaf_parts;
+    if (!leaves->count && !leaves->tried) return;
+    printf("  mesh leaves, not exact: ");
+    if (leaves->count)
+        printf("%zu dense part%s of %zu polygons", leaves->count, leaves->count > 1 ? "s" : "", leaves->polygons);
+    else
+        printf("none; the last of %zu attempts", leaves->attempts);
+    for (size_t i = 0; i < leaves->count && i < LEAF_PARTS_TOLD; i++)
+        printf("%s face %lu on (%zu)", i ? "," : ", of", (unsigned long)leaves->parts[i].face,
+               leaves->parts[i].polygons);
+    if (leaves->count > LEAF_PARTS_TOLD) printf(" ...");
+    if (leaves->tried)
+        printf("; %.0f instead of %.0f instructions predicted", leaves->instructions, leaves->without_instructions);
+    if (leaves->tried && !isnan(leaves->wrong_percent))
+        printf("; %.4f %% of pixels wrong, at most %.4f %%", leaves->wrong_percent, leaves->bound_percent);
+    putchar('\n');
+}
+
 /* Searched, not proved. */
 static void print_worst(const struct compile_report *report)
 {
@@ -158,6 +179,7 @@ static void print_tree(const struct compiled *scene)
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (report->kinds[i]) printf("    %-26s %8zu\n", kinds[i], report->kinds[i]);
     if (report->leaves && report->tree != TREE_NONE) print_count("  leaves with an order", report->leaves);
+    if (report->mesh_leaves) print_count("  mesh leaves, by distance", report->mesh_leaves);
     printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
     if (report->tree != TREE_MESH)
         printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
@@ -168,6 +190,7 @@ static void print_tree(const struct compiled *scene)
         printf("  %-28s %8zu of %s: chosen for these\n", "cameras", report->path.count, report->path.name);
     if (is_predicted(report)) print_order(scene);
     print_mesh_choice(scene);
+    print_leaf_parts(report);
     print_worst(report);
     if (!isnan(report->wrong.percent))
         printf("  %-28s %8.4f %%, %zu sampled cameras\n", "wrong pixels, predicted", report->wrong.percent,

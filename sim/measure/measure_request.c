@@ -38,6 +38,7 @@ enum option_code {
     OPTION_FRAMEBUFFER,
     OPTION_PORTALS,
     OPTION_TREE,
+    OPTION_MESH_LEAVES,
     OPTION_SPLITTER,
     OPTION_FRAMES,
     OPTION_COST_FRAMES,
@@ -72,6 +73,7 @@ static const struct option OPTIONS[] = {
     {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"tree", required_argument, NULL, OPTION_TREE},
+    {"mesh-leaves", required_argument, NULL, OPTION_MESH_LEAVES},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"frames", required_argument, NULL, OPTION_FRAMES},
     {"cost-frames", required_argument, NULL, OPTION_COST_FRAMES},
@@ -95,6 +97,7 @@ static bool has_option(enum measure_of of, int code)
     switch (code) {
     case OPTION_METHOD:
     case OPTION_TREE:
+    case OPTION_MESH_LEAVES:
     case OPTION_PORTALS:
         return of != MEASURE_METHODS;
     case OPTION_SUB_BITS:
@@ -240,6 +243,8 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return compile_method_parse(optarg, &out->compile, err);
     case OPTION_TREE:
         return tree_choice_parse(optarg, &out->compile, err);
+    case OPTION_MESH_LEAVES:
+        return mesh_leaves_parse(optarg, &out->compile.mesh_leaves, err);
     case OPTION_SPLITTER:
         out->compile.splitter = optarg;
         return true;

@@ -12,6 +12,7 @@
 #include "compiler/compile.h"
 #include "compiler/faithful.h"
 #include "compiler/mesh_choice.h"
+#include "compiler/mesh_leaf_choice.h"
 #include "compiler/moving_compile.h"
 #include "core/core.h"
 #include "model/baked_light.h"
@@ -177,17 +178,22 @@ void measure_source_free(struct measure_source *source)
 }
 
 /* As compile.c does. */
-static bool choose_mesh(const struct measure_source *source, const struct compile_options *options,
-                        struct compiled *scene, struct error *err)
+static bool choose_against_reference(const struct measure_source *source, const struct compile_options *options,
+                                     struct compiled *scene, struct error *err)
 {
     struct reference reference = {0};
     struct mesh_trials trials;
-    bool ok = true;
-    if (mesh_choice_try(&source->mesh, options, scene, &trials))
-        ok = reference_init(&reference, &source->fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
-             mesh_choice_settle(&trials, &source->mesh, options, &reference, source->mesh.merged_into, scene, err);
+    struct leaf_trial leaves = {0};
+    const bool may_be_mesh = mesh_choice_try(&source->mesh, options, scene, &trials);
+    bool ok = !may_be_mesh ||
+              (reference_init(&reference, &source->fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
+               mesh_choice_settle(&trials, &source->mesh, options, &reference, source->mesh.merged_into, scene, err));
+    if (ok && leaf_trial_begin(&leaves, &source->mesh, options, scene))
+        ok = (may_be_mesh || reference_init(&reference, &source->fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err)) &&
+             leaf_trial_settle(&leaves, &reference, source->mesh.merged_into, scene, err);
     reference_free(&reference);
     mesh_trials_free(&trials);
+    leaf_trial_free(&leaves);
     if (!ok) compiled_free(scene);
     return ok;
 }
@@ -196,7 +202,8 @@ bool measure_source_compile(const struct measure_source *source, const struct co
                             struct compiled *scene, struct error *err)
 {
     if (!source->still.moving)
-        return faithful_compile(&source->mesh, options, scene, err) && choose_mesh(source, options, scene, err);
+        return faithful_compile(&source->mesh, options, scene, err) &&
+               choose_against_reference(source, options, scene, err);
     return moving_compile_own(source->path, options, MOVING_CLIPPED, scene, err);
 }
 

@@ -79,6 +79,8 @@ static void write_figures(const struct page *page, FILE *file)
     for (int i = 0; i < PLANE_KINDS; i++)
         if (report->kinds[i]) write_row(file, kinds[i], (double)report->kinds[i], 0);
     if (report->leaves) write_row(file, "leaves", (double)report->leaves, 0);
+    if (report->mesh_leaves)
+        write_row(file, "mesh leaves, ordered by distance: not exact", (double)report->mesh_leaves, 0);
     write_row(file, "most vertices of a polygon", page->scene.scene.limits.vertices, 0);
     write_row(file, "units a metre", page->scene.grid.units_per_m, 1);
     write_row(file, "worst wrong side of a plane, certified, units", report->worst_violation_units, 4);

@@ -163,6 +163,7 @@ static const char *kind_of(const struct compiled *scene)
 {
     if (scene->report.draws == LIM_MESH) return ", a mesh drawn by distance: an approximate order";
     if (scene->report.draws == LIM_MESH_DEPTH) return ", a mesh drawn by depths of 16 bits: an approximate order";
+    if (scene->report.mesh_leaves) return ", some in mesh leaves by distance: an approximate order there";
     return scene->report.convex ? ", one convex solid" : "";
 }
 

@@ -31,6 +31,20 @@ struct tree_choice {
     size_t bsp_flash_b;
 };
 
+/* Dense parts that are mesh leaves, and what was weighed for that (mesh_leaf_choice.h). */
+enum { LEAF_PARTS_TOLD = 8 };
+struct leaf_report {
+    size_t count, polygons; /* of them, as the model has them */
+    struct leaf_part {
+        uint32_t face; /* the first one's number in the model file */
+        size_t polygons;
+    } parts[LEAF_PARTS_TOLD]; /* the first ones of them */
+    bool tried;               /* a choice was made: what follows is set */
+    size_t attempts;
+    double instructions, without_instructions; /* predicted; NaN: no attempt was as cheap */
+    double wrong_percent, bound_percent;       /* of the last attempt that was looked at; NaN: none was */
+};
+
 /* The cameras that it was made for; those of a file that whoever compiles it keeps as long. */
 struct viewpoint;
 struct path_report {
@@ -115,6 +129,7 @@ struct compile_report {
                             lines, or not opaque and flat */
     struct order_choice order;
     struct mesh_choice as_mesh;
+    struct leaf_report leaf_parts;
     struct worst_report worst;
     struct note *notes; /* on textures, for people; owned */
     size_t note_count;

@@ -11,6 +11,7 @@
 #include <string.h>
 
 static const double LARGEST_SHARE = 0.5; /* of the diagonal of the part's box */
+static const double HELD_SHARE = 0.5;    /* of the polygons of other parts */
 
 /* Leaders: each polygon leads to one of its part that comes no later. */
 static uint32_t leader_of(uint32_t *leaders, uint32_t polygon)
@@ -83,13 +84,39 @@ static bool is_dense(const struct survey *survey)
            survey->largest <= LARGEST_SHARE * diagonal(survey->part.low, survey->part.high);
 }
 
-static void take(struct parts *out, const struct survey *surveys, const struct mesh *mesh, uint32_t *leaders)
+/* Where the middle of a polygon's corners is. */
+static void middle_of(const struct mesh *mesh, const struct mesh_polygon *polygon, double (*points)[3], double out[3])
+{
+    out[0] = out[1] = out[2] = 0.0;
+    for (uint32_t c = polygon->first; c < polygon->first + polygon->count; c++)
+        for (int k = 0; k < 3; k++)
+            out[k] += points[mesh->corners[c]][k] / polygon->count;
+}
+
+/* Walls round all else, or the ground below it: no axis plane could part it from what its box holds. */
+static bool is_round_others(const struct mesh *mesh, double (*points)[3], uint32_t *leaders, uint32_t leader,
+                            const struct part *part)
+{
+    size_t held = 0;
+    for (uint32_t i = 0; i < mesh->polygon_count; i++) {
+        double at[3];
+        if (leader_of(leaders, i) == leader) continue;
+        middle_of(mesh, &mesh->polygons[i], points, at);
+        held += at[0] > part->low[0] && at[0] < part->high[0] && at[1] > part->low[1] && at[1] < part->high[1] &&
+                at[2] > part->low[2] && at[2] < part->high[2];
+    }
+    return (double)held > HELD_SHARE * (double)(mesh->polygon_count - part->polygons);
+}
+
+static void take(struct parts *out, const struct survey *surveys, const struct mesh *mesh, double (*points)[3],
+                 uint32_t *leaders)
 {
     for (uint32_t i = 0; i < mesh->polygon_count; i++) {
         const uint32_t leader = leader_of(leaders, i);
         if (leader != i)
             out->of[i] = out->of[leader];
-        else if (!mesh->polygons[i].transparency && is_dense(&surveys[i])) {
+        else if (!mesh->polygons[i].transparency && is_dense(&surveys[i]) &&
+                 !is_round_others(mesh, points, leaders, i, &surveys[i].part)) {
             out->items[out->count++] = surveys[i].part;
             out->of[i] = (uint32_t)out->count;
         }
@@ -105,17 +132,16 @@ void parts_find(const struct mesh *mesh, double (*points)[3], struct parts *out)
     for (uint32_t i = 0; i < mesh->polygon_count; i++)
         if (!mesh->polygons[i].transparency)
             survey_add(&surveys[leader_of(leaders, i)], mesh, &mesh->polygons[i], points);
-    take(out, surveys, mesh, leaders);
+    take(out, surveys, mesh, points, leaders);
     free(surveys);
     free(leaders);
 }
 
-void parts_leave_out(struct parts *parts, const struct mesh *mesh, const bool *left_out)
+void parts_leave_out(struct parts *parts, const struct mesh *mesh, size_t i)
 {
-    for (size_t i = 0; i < mesh->polygon_count; i++)
-        if (parts->of[i] && left_out[parts->of[i] - 1]) parts->of[i] = 0;
-    for (size_t i = 0; i < parts->count; i++)
-        if (left_out[i]) parts->items[i].polygons = 0;
+    for (size_t k = 0; k < mesh->polygon_count; k++)
+        if (parts->of[k] == i + 1) parts->of[k] = 0;
+    parts->items[i].polygons = 0;
 }
 
 size_t parts_taken(const struct parts *parts)

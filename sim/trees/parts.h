@@ -7,7 +7,8 @@
 
 #include "model/mesh.h"
 
-/* A dense part: polygons that share points with one another, all opaque, each small against all of it. */
+/* A dense part: polygons that share points with one another, all opaque, each small against all of it; not
+ * what has most of the others within its bounds. */
 struct part {
     uint32_t face;   /* the first one's number in the model file */
     size_t polygons; /* as the mesh has them */
@@ -26,8 +27,8 @@ enum { PART_POLYGONS_MIN = 64, PART_RECORDS_MAX = 32767 };
 /* `points` are the mesh's, in units. Parts are in the order of their first polygons. */
 void parts_find(const struct mesh *mesh, double (*points)[3], struct parts *out);
 
-/* Takes those out of which left_out[i] is true, i from 0; the others keep their numbers. */
-void parts_leave_out(struct parts *parts, const struct mesh *mesh, const bool *left_out);
+/* Takes out part i, from 0; the others keep their numbers. */
+void parts_leave_out(struct parts *parts, const struct mesh *mesh, size_t i);
 
 /* How many there are, without those left out. */
 size_t parts_taken(const struct parts *parts);
