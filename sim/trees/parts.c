@@ -5,16 +5,16 @@
 #include "trees/parts.h"
 
 #include "base/grow.h"
+#include "trees/parts_gather.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double LARGEST_SHARE = 0.5; /* of the diagonal of the part's box */
-static const double HELD_SHARE = 0.5;    /* of the polygons of other parts */
+static const double HELD_SHARE = 0.5; /* of the polygons of other parts */
 
-/* Leaders: each polygon leads to one of its part that comes no later. */
-static uint32_t leader_of(uint32_t *leaders, uint32_t polygon)
+/* Each polygon leads to one of its part that comes no later. */
+uint32_t parts_leader(uint32_t *leaders, uint32_t polygon)
 {
     while (leaders[polygon] != polygon) {
         leaders[polygon] = leaders[leaders[polygon]];
@@ -25,7 +25,7 @@ static uint32_t leader_of(uint32_t *leaders, uint32_t polygon)
 
 static void join(uint32_t *leaders, uint32_t a, uint32_t b)
 {
-    const uint32_t p = leader_of(leaders, a), q = leader_of(leaders, b);
+    const uint32_t p = parts_leader(leaders, a), q = parts_leader(leaders, b);
     leaders[p > q ? p : q] = p < q ? p : q;
 }
 
@@ -46,14 +46,7 @@ static uint32_t *find_leaders(const struct mesh *mesh)
     return leaders;
 }
 
-/* What is known of a part, by its leader. */
-struct survey {
-    struct part part;
-    double largest; /* the longest diagonal of a polygon's box */
-    size_t records;
-};
-
-static double diagonal(const double low[3], const double high[3])
+double parts_diagonal(const double low[3], const double high[3])
 {
     return sqrt((high[0] - low[0]) * (high[0] - low[0]) + (high[1] - low[1]) * (high[1] - low[1]) +
                 (high[2] - low[2]) * (high[2] - low[2]));
@@ -74,14 +67,14 @@ static void survey_add(struct survey *survey, const struct mesh *mesh, const str
         survey->part.low[k] = is_first ? low[k] : fmin(survey->part.low[k], low[k]);
         survey->part.high[k] = is_first ? high[k] : fmax(survey->part.high[k], high[k]);
     }
-    survey->largest = fmax(survey->largest, diagonal(low, high));
+    survey->largest = fmax(survey->largest, parts_diagonal(low, high));
     survey->records += polygon->two_sided ? 2 : 1;
 }
 
 static bool is_dense(const struct survey *survey)
 {
     return survey->part.polygons >= PART_POLYGONS_MIN && survey->records <= PART_RECORDS_MAX &&
-           survey->largest <= LARGEST_SHARE * diagonal(survey->part.low, survey->part.high);
+           survey->largest <= PARTS_LARGEST_SHARE * parts_diagonal(survey->part.low, survey->part.high);
 }
 
 /* Where the middle of a polygon's corners is. */
@@ -100,7 +93,7 @@ static bool is_round_others(const struct mesh *mesh, double (*points)[3], uint32
     size_t held = 0;
     for (uint32_t i = 0; i < mesh->polygon_count; i++) {
         double at[3];
-        if (leader_of(leaders, i) == leader) continue;
+        if (parts_leader(leaders, i) == leader) continue;
         middle_of(mesh, &mesh->polygons[i], points, at);
         held += at[0] > part->low[0] && at[0] < part->high[0] && at[1] > part->low[1] && at[1] < part->high[1] &&
                 at[2] > part->low[2] && at[2] < part->high[2];
@@ -112,7 +105,7 @@ static void take(struct parts *out, const struct survey *surveys, const struct m
                  uint32_t *leaders)
 {
     for (uint32_t i = 0; i < mesh->polygon_count; i++) {
-        const uint32_t leader = leader_of(leaders, i);
+        const uint32_t leader = parts_leader(leaders, i);
         if (leader != i)
             out->of[i] = out->of[leader];
         else if (!mesh->polygons[i].transparency && is_dense(&surveys[i]) &&
@@ -131,7 +124,8 @@ void parts_find(const struct mesh *mesh, double (*points)[3], struct parts *out)
                           .items = grow_zeroed(mesh->polygon_count / PART_POLYGONS_MIN + 1, sizeof *out->items)};
     for (uint32_t i = 0; i < mesh->polygon_count; i++)
         if (!mesh->polygons[i].transparency)
-            survey_add(&surveys[leader_of(leaders, i)], mesh, &mesh->polygons[i], points);
+            survey_add(&surveys[parts_leader(leaders, i)], mesh, &mesh->polygons[i], points);
+    parts_gather(surveys, leaders, mesh->polygon_count);
     take(out, surveys, mesh, points, leaders);
     free(surveys);
     free(leaders);

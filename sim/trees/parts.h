@@ -7,8 +7,8 @@
 
 #include "model/mesh.h"
 
-/* A dense part: polygons that share points with one another, all opaque, each small against all of it; not
- * what has most of the others within its bounds. */
+/* A dense part: polygons that share points with one another, or lie among those that do (parts_gather.h); all opaque,
+ * each small against all of it; not what has most of the others within its bounds. */
 struct part {
     uint32_t face;   /* the first one's number in the model file */
     size_t polygons; /* as the mesh has them */
