@@ -22,18 +22,18 @@ struct lim_mesh_entry {
     uint16_t next;    /* of those that are about as near, or LIM_NONE */
     uint16_t key;     /* what is drawn first has the lower one */
 };
-enum { LIM_MESH_LEAF_LISTS = 64 };
+#define LIM_MESH_LEAF_LISTS(polygon_count) ((polygon_count) / 8 + 16)
 
 /* A mesh leaf that is being drawn (mesh_leaf.h). */
 struct lim_mesh_leaf {
     struct lim_point *points; /* of its vertices, on the screen */
     uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
     struct lim_mesh_entry *entries;
-    lim_index first;                     /* its first vertex */
-    uint16_t used;                       /* entries */
-    uint16_t lists[LIM_MESH_LEAF_LISTS]; /* in the order of drawing, by nearness */
-    uint8_t list;                        /* the one that is being drawn */
-    uint8_t near_shift, extent;          /* as struct lim_mesh has them */
+    uint16_t *lists;            /* in the order of drawing, by nearness */
+    uint16_t list_count, list;  /* list: the one that is being drawn */
+    uint16_t used;              /* entries */
+    lim_index first;            /* its first vertex */
+    uint8_t near_shift, extent; /* as struct lim_mesh has them */
 };
 
 /* An instance as this frame has it. */
@@ -478,7 +478,8 @@ struct lim_mesh {
 /* Beside that of a scene with mesh leaves, or of movers: `vertex_count` and `polygon_count` as limits.leaf_... */
 #define LIM_MESH_LEAF_MEM_B(vertex_count, polygon_count)                                                               \
     LIM_MEM_ALIGNED_B((size_t)(vertex_count) * (sizeof(struct lim_point) + sizeof(uint16_t)) +                         \
-                      (size_t)(polygon_count) * sizeof(struct lim_mesh_entry))
+                      (size_t)(polygon_count) * sizeof(struct lim_mesh_entry) +                                        \
+                      ((polygon_count) ? LIM_MESH_LEAF_LISTS((size_t)(polygon_count)) * sizeof(uint16_t) : 0))
 
 /* What lim_set_antialias() borrows: a line's sums, and which samples are closed where that has to do without gaps. */
 #define LIM_ANTIALIAS_MEM_B(w_px) (((size_t)(w_px) * (sizeof(uint32_t) + sizeof(uint16_t)) + 3) & ~(size_t)3)

@@ -11,8 +11,7 @@
 
 #if LIM_HAS_MESH_LEAVES
 
-enum { KEY_MOST = 0xFFFF, LISTS_BITS = 6 };
-_Static_assert(1 << LISTS_BITS == LIM_MESH_LEAF_LISTS, "a list for each value of so many bits");
+enum { KEY_MOST = 0xFFFF };
 
 /* Widest alignment first. */
 void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_limits *limits)
@@ -22,12 +21,14 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
     leaf->entries = lim_mem_cut(&at, limits->leaf_polygons * sizeof *leaf->entries);
     leaf->points = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->points);
     leaf->nearness = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->nearness);
+    leaf->list_count = LIM_MESH_LEAF_LISTS(limits->leaf_polygons);
+    leaf->lists = lim_mem_cut(&at, leaf->list_count * sizeof *leaf->lists);
 }
 
 /* What faces the eye ------------------------------------------------------------------------------------------------
  */
 
-/* What has to be clipped, as what is left of it does. */
+/* Of what has to be clipped: whether what is left of it does. */
 static LIM_RARE bool clipped_faces(const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record)
 {
     const struct lim_rect screen = {0, 0, (uint16_t)seen->view->width.px, (uint16_t)seen->view->height.px};
@@ -72,20 +73,12 @@ static inline bool has_centres(lim_packed a, lim_packed b, lim_packed c)
            lim_edge_row((lim_edge_sub)leaf_least(ax, bx, cx)) != lim_edge_row((lim_edge_sub)leaf_most(ax, bx, cx));
 }
 
-/* Of what faces the eye, what may have pixels. */
-static inline bool leaf_shows(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                              const LIM_FLASH lim_index *record)
+/* Of a triangle that is not clipped: it faces the eye, and may have pixels. */
+static inline bool triangle_shows(lim_packed a, lim_packed b, lim_packed c, bool inside, bool by_samples)
 {
-    const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
+    const bool faces = inside && !LIM_WIDE ? lim_packed_turns(a, b, c) : lim_packed_turns_far(a, b, c);
 
-    if (leaf->extent == LIM_VIEW_CLIPPED || (record[0] & LIM_POLYGON_COUNT) != 3)
-        return polygon_faces(leaf, seen, record);
-    const lim_packed a = lim_packed_load(&leaf->points[corners[0] - leaf->first]);
-    const lim_packed b = lim_packed_load(&leaf->points[corners[1] - leaf->first]);
-    const lim_packed c = lim_packed_load(&leaf->points[corners[2] - leaf->first]);
-    const bool faces =
-        leaf->extent == LIM_VIEW_INSIDE && !LIM_WIDE ? lim_packed_turns(a, b, c) : lim_packed_turns_far(a, b, c);
-    return faces && (lim_is_antialiased(seen->view) || has_centres(a, b, c));
+    return faces && (by_samples || has_centres(a, b, c));
 }
 
 /* Nearness of its corners -------------------------------------------------------------------------------------------
@@ -107,20 +100,25 @@ static inline uint16_t nearness_of(const struct lim_mesh_leaf *leaf, const struc
 {
     const uint16_t nearness = leaf->nearness[vertex - leaf->first];
 
-    return leaf->extent == LIM_VIEW_CLIPPED && !nearness ? clipped_nearness(leaf, seen, vertex) : nearness;
+    return nearness ? nearness : clipped_nearness(leaf, seen, vertex);
 }
 
-/* Twice the mean. */
-static inline uint16_t leaf_mean(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                 const LIM_FLASH lim_index *record)
+/* 2^17 / 3; the sum is 3 * 2^15 at most. */
+static inline uint32_t mean_of_three(uint32_t sum)
+{
+    return (sum * 43690u) >> 16;
+}
+
+/* Twice the mean, in 16 bits: that of near ones is the greater. */
+static LIM_RARE uint16_t leaf_mean(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
+                                   const LIM_FLASH lim_index *record)
 {
     const uint_fast8_t n = (uint_fast8_t)(record[0] & LIM_POLYGON_COUNT);
     uint32_t sum = 0;
 
     for (uint_fast8_t k = 0; k < n; k++)
         sum += nearness_of(leaf, seen, record[LIM_POLYGON_HEAD_WORDS + k]);
-    const uint32_t mean =
-        n == 3 ? (sum * 43690u) >> 16 : 2 * sum / n; /* 43690: 2^17 / 3; the sum is 3 * 2^15 at most */
+    const uint32_t mean = n == 3 ? mean_of_three(sum) : 2 * sum / n;
     return (uint16_t)(mean < KEY_MOST ? mean : KEY_MOST);
 }
 
@@ -137,40 +135,94 @@ static uint16_t nearness_bits(const struct lim_mesh_leaf *leaf, const struct lim
 /* Lists -------------------------------------------------------------------------------------------------------------
  */
 
-/* Entries in the order of the run. Returns their nearness, OR'ed, where the eye may be close. */
-static uint16_t list_seen(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                          const LIM_FLASH lim_index *record)
+/* Entries in the order of the run, with twice the mean nearness for a key. */
+static LIM_INLINE void list_plain(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
+                                  const LIM_FLASH lim_index *record, bool inside, bool by_samples)
+{
+    const LIM_FLASH lim_index *const polygons = seen->scene->polygons;
+    const struct lim_point *const points = leaf->points;
+    const uint16_t *const nearness = leaf->nearness;
+    const lim_index first = leaf->first;
+    struct lim_mesh_entry *entry = leaf->entries;
+
+    for (;;) {
+        const lim_index head = record[0];
+        if (LIM_UNLIKELY((head & LIM_POLYGON_COUNT) != 3)) {
+            if (polygon_faces(leaf, seen, record)) {
+                entry->record = (lim_index)(record - polygons);
+                entry++->key = leaf_mean(leaf, seen, record);
+            }
+        } else {
+            const lim_index i = (lim_index)(record[2] - first), j = (lim_index)(record[3] - first),
+                            k = (lim_index)(record[4] - first);
+            if (triangle_shows(lim_packed_load(&points[i]), lim_packed_load(&points[j]), lim_packed_load(&points[k]),
+                               inside, by_samples)) {
+                const uint32_t mean = mean_of_three((uint32_t)nearness[i] + nearness[j] + nearness[k]);
+                entry->record = (lim_index)(record - polygons);
+                entry++->key = (uint16_t)mean;
+            }
+        }
+        if (head & LIM_POLYGON_LAST) break;
+        record += lim_record_words(head);
+    }
+    leaf->used = (uint16_t)(entry - leaf->entries);
+}
+
+static LIM_ALONE void list_inside(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
+                                  const LIM_FLASH lim_index *run)
+{
+    list_plain(leaf, seen, run, true, false);
+}
+
+/* The same where some may have to be clipped: keys wait until nearness is as fine as it gets. */
+static LIM_RARE void list_clipped(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
+                                  const LIM_FLASH lim_index *record, const struct lim_view_part *part)
 {
     uint16_t nearest = 0;
 
     leaf->used = 0;
-    for (;;) {
-        const lim_index head = record[0];
-        if (leaf_shows(leaf, seen, record)) {
+    for (;; record += lim_record_words(record[0])) {
+        if (polygon_faces(leaf, seen, record)) {
             leaf->entries[leaf->used++].record = (lim_index)(record - seen->scene->polygons);
-            if (leaf->extent == LIM_VIEW_CLIPPED) nearest |= nearness_bits(leaf, seen, record);
+            nearest |= nearness_bits(leaf, seen, record);
         }
-        if (head & LIM_POLYGON_LAST) return nearest;
-        record += lim_record_words(head);
+        if (record[0] & LIM_POLYGON_LAST) break;
     }
+    lim_view_refine(seen->view, seen->scene, part, nearest, leaf->nearness, &leaf->near_shift);
+    for (uint16_t i = 0; i < leaf->used; i++)
+        leaf->entries[i].key = leaf_mean(leaf, seen, &seen->scene->polygons[leaf->entries[i].record]);
 }
 
-/* Returns how many bits keys are too long by for the number of a list, once the least of them is taken away from all.
- */
-static uint8_t set_keys(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen, uint16_t *least)
+static void leaf_list(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *run,
+                      const struct lim_view_part *part)
 {
-    uint16_t most = 0;
+    const bool by_samples = lim_is_antialiased(seen->view);
 
-    *least = KEY_MOST;
-    for (uint_fast16_t i = 0; i < leaf->used; i++) {
-        struct lim_mesh_entry *entry = &leaf->entries[i];
-        const uint16_t mean = leaf_mean(leaf, seen, &seen->scene->polygons[entry->record]);
-        entry->key = (uint16_t)(seen->back_to_front ? mean : KEY_MOST - mean);
-        if (entry->key < *least) *least = entry->key;
+    if (leaf->extent == LIM_VIEW_CLIPPED)
+        list_clipped(leaf, seen, run, part);
+    else if (!LIM_OPTIMISE_SIZE && leaf->extent == LIM_VIEW_INSIDE && !by_samples)
+        list_inside(leaf, seen, run);
+    else
+        list_plain(leaf, seen, run, leaf->extent == LIM_VIEW_INSIDE, by_samples);
+}
+
+/* Keys in the order of drawing, from 0 on. Returns how many bits they are too long by for the number of a list. */
+static uint8_t turn_keys(struct lim_mesh_leaf *leaf, bool back_to_front)
+{
+    const struct lim_mesh_entry *const end = leaf->entries + leaf->used;
+    uint16_t least = KEY_MOST, most = 0;
+
+    for (struct lim_mesh_entry *entry = leaf->entries; entry < end; entry++) {
+        if (entry->key < least) least = entry->key;
         if (entry->key > most) most = entry->key;
     }
-    const uint32_t range = leaf->used ? (uint32_t)(most - *least) : 0;
-    return (uint8_t)(range >> LISTS_BITS ? 32 - LISTS_BITS - clz_u32(range) : 0);
+    for (struct lim_mesh_entry *entry = leaf->entries; entry < end; entry++)
+        entry->key = (uint16_t)(back_to_front ? entry->key - least : most - entry->key);
+    const uint32_t range = leaf->used ? (uint32_t)(most - least) : 0;
+    uint8_t shift = 0;
+    while (range >> shift >= leaf->list_count)
+        shift++;
+    return shift;
 }
 
 /* Before those of the same key. */
@@ -185,13 +237,13 @@ static inline void leaf_insert(struct lim_mesh_leaf *leaf, uint16_t at, uint16_t
 }
 
 /* Of two that are as near as each other the first one of the run is on top. */
-static void fill_lists(struct lim_mesh_leaf *leaf, bool back_to_front, uint8_t shift, uint16_t least)
+static void fill_lists(struct lim_mesh_leaf *leaf, bool back_to_front, uint8_t shift)
 {
-    for (uint_fast8_t i = 0; i < LIM_MESH_LEAF_LISTS; i++)
+    for (uint_fast16_t i = 0; i < leaf->list_count; i++)
         leaf->lists[i] = LIM_NONE;
     for (uint16_t i = 0; i < leaf->used; i++) {
         const uint16_t at = (uint16_t)(back_to_front ? i : leaf->used - 1 - i);
-        leaf_insert(leaf, at, &leaf->lists[(leaf->entries[at].key - least) >> shift]);
+        leaf_insert(leaf, at, &leaf->lists[leaf->entries[at].key >> shift]);
     }
 }
 
@@ -201,22 +253,18 @@ void lim_mesh_leaf_sort(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_s
     const LIM_FLASH lim_index *words = lim_mesh_leaf_words(run);
     const struct lim_view_part part = {words[LIM_MESH_LEAF_FIRST], words[LIM_MESH_LEAF_COUNT],
                                        words[LIM_MESH_LEAF_BOX]};
-    uint16_t least;
 
     leaf->first = part.first;
     leaf->extent =
         (uint8_t)lim_view_all(seen->view, seen->scene, &part, leaf->points, leaf->nearness, &leaf->near_shift);
-    const uint16_t nearest = list_seen(leaf, seen, run);
-    if (leaf->extent == LIM_VIEW_CLIPPED)
-        lim_view_refine(seen->view, seen->scene, &part, nearest, leaf->nearness, &leaf->near_shift);
-    const uint8_t shift = set_keys(leaf, seen, &least);
-    fill_lists(leaf, seen->back_to_front, shift, least);
+    leaf_list(leaf, seen, run, &part);
+    fill_lists(leaf, seen->back_to_front, turn_keys(leaf, seen->back_to_front));
     leaf->list = 0;
 }
 
 uint16_t lim_mesh_leaf_next(struct lim_mesh_leaf *leaf)
 {
-    for (; leaf->list < LIM_MESH_LEAF_LISTS; leaf->list++) {
+    for (; leaf->list < leaf->list_count; leaf->list++) {
         const uint16_t entry = leaf->lists[leaf->list];
         if (entry == LIM_NONE) continue;
         leaf->lists[leaf->list] = leaf->entries[entry].next;

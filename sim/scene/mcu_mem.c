@@ -63,7 +63,8 @@ static size_t leaf_b(const struct compiled *scene, size_t vertices, size_t polyg
 {
     const size_t point_b = is_wide(&scene->report) ? MCU_CELL_WIDE_B : MCU_CELL_B;
     const size_t entry_b = width_is_wide(&scene->scene) ? MCU_MESH_ENTRY_WIDE_B : MCU_MESH_ENTRY_B;
-    return aligned_b(vertices * (point_b + MCU_MESH_NEARNESS_B) + polygons * entry_b);
+    const size_t lists = polygons ? polygons / 8 + 16 : 0;
+    return aligned_b(vertices * (point_b + MCU_MESH_NEARNESS_B) + polygons * entry_b + lists * sizeof(uint16_t));
 }
 
 static size_t leaves_b(const struct compiled *scene)
