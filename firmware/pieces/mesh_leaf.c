@@ -6,6 +6,7 @@
 
 #include "screen/edge.h"
 #include "screen/project.h"
+#include "view/clip.h"
 #include "view/packed.h"
 #include "view/pass.h"
 
@@ -28,14 +29,28 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
 /* What faces the eye ------------------------------------------------------------------------------------------------
  */
 
-/* Of what has to be clipped: whether what is left of it does. */
+/* What CLIP leaves of a record. */
+static const struct lim_clip_polygon *
+leaf_clip(struct lim_clip_polygon places[2], const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record)
+{
+    places[0].n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
+    for (uint_fast8_t k = 0; k < places[0].n; k++) {
+        lim_view_transform(seen->view, seen->scene, &seen->scene->vertices[record[LIM_POLYGON_HEAD_WORDS + k]],
+                           &places[0].at[k]);
+        if (LIM_HAS_WIREFRAME) lim_view_hide_edge(&places[0].at[k], false);
+    }
+    return lim_clip(places, seen->view->rows.near_qv);
+}
+
 static LIM_RARE bool clipped_faces(const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record)
 {
-    const struct lim_rect screen = {0, 0, (uint16_t)seen->view->width.px, (uint16_t)seen->view->height.px};
-    struct lim_screen_polygon polygon;
+    struct lim_clip_polygon places[2];
+    struct lim_point at[CLIP_MAX_VERTICES];
+    const struct lim_clip_polygon *clipped = leaf_clip(places, seen, record);
 
-    return lim_project(&polygon, seen->view, seen->scene, record, &screen, NULL) &&
-           lim_edge_area(polygon.at, polygon.n) < 0;
+    for (uint_fast8_t k = 0; k < clipped->n; k++)
+        lim_view_project(seen->view, &clipped->at[k], &at[k]);
+    return clipped->n && lim_edge_area(at, clipped->n) < 0;
 }
 
 /* Of more corners than three, or perhaps to be clipped. */
@@ -84,52 +99,57 @@ static inline bool triangle_shows(lim_packed a, lim_packed b, lim_packed c, bool
 /* Nearness of its corners -------------------------------------------------------------------------------------------
  */
 
-/* A corner that has none is before the near plane, or beside the screen. */
-static LIM_RARE uint16_t clipped_nearness(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                          lim_index vertex)
-{
-    struct lim_view_point point;
-
-    lim_view_transform(seen->view, seen->scene, &seen->scene->vertices[vertex], &point);
-    if (point.z_qv < seen->view->rows.near_qv) point.z_qv = seen->view->rows.near_qv;
-    return lim_view_nearness(&point, leaf->near_shift);
-}
-
-static inline uint16_t nearness_of(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                   lim_index vertex)
-{
-    const uint16_t nearness = leaf->nearness[vertex - leaf->first];
-
-    return nearness ? nearness : clipped_nearness(leaf, seen, vertex);
-}
-
 /* 2^17 / 3; the sum is 3 * 2^15 at most. */
 static inline uint32_t mean_of_three(uint32_t sum)
 {
     return (sum * 43690u) >> 16;
 }
 
-/* Twice the mean, in 16 bits: that of near ones is the greater. */
-static LIM_RARE uint16_t leaf_mean(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                   const LIM_FLASH lim_index *record)
+/* Twice the mean, in 16 bits, and all OR'ed: of corners that near ones have more of. */
+struct leaf_nearness {
+    uint16_t mean, bits;
+};
+
+static struct leaf_nearness nearness_of_sum(uint32_t sum, uint16_t bits, uint_fast8_t n)
+{
+    const uint32_t mean = n == 3 ? mean_of_three(sum) : 2 * sum / n;
+
+    return (struct leaf_nearness){(uint16_t)(mean < KEY_MOST ? mean : KEY_MOST), bits};
+}
+
+static LIM_RARE struct leaf_nearness clipped_nearness(const struct lim_mesh_leaf *leaf,
+                                                      const struct lim_mesh_leaf_seen *seen,
+                                                      const LIM_FLASH lim_index *record)
+{
+    struct lim_clip_polygon places[2];
+    const struct lim_clip_polygon *clipped = leaf_clip(places, seen, record);
+    uint32_t sum = 0;
+    uint16_t bits = 0;
+
+    for (uint_fast8_t k = 0; k < clipped->n; k++) {
+        const uint16_t nearness = lim_view_nearness(&clipped->at[k], leaf->near_shift);
+        sum += nearness;
+        bits |= nearness;
+    }
+    return nearness_of_sum(sum, bits, clipped->n);
+}
+
+/* Of a record that faces the eye. */
+static LIM_RARE struct leaf_nearness record_nearness(const struct lim_mesh_leaf *leaf,
+                                                     const struct lim_mesh_leaf_seen *seen,
+                                                     const LIM_FLASH lim_index *record)
 {
     const uint_fast8_t n = (uint_fast8_t)(record[0] & LIM_POLYGON_COUNT);
     uint32_t sum = 0;
-
-    for (uint_fast8_t k = 0; k < n; k++)
-        sum += nearness_of(leaf, seen, record[LIM_POLYGON_HEAD_WORDS + k]);
-    const uint32_t mean = n == 3 ? mean_of_three(sum) : 2 * sum / n;
-    return (uint16_t)(mean < KEY_MOST ? mean : KEY_MOST);
-}
-
-static uint16_t nearness_bits(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                              const LIM_FLASH lim_index *record)
-{
     uint16_t bits = 0;
 
-    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++)
-        bits |= nearness_of(leaf, seen, record[LIM_POLYGON_HEAD_WORDS + k]);
-    return bits;
+    for (uint_fast8_t k = 0; k < n; k++) {
+        const uint16_t nearness = leaf->nearness[record[LIM_POLYGON_HEAD_WORDS + k] - leaf->first];
+        if (!nearness) return clipped_nearness(leaf, seen, record);
+        sum += nearness;
+        bits |= nearness;
+    }
+    return nearness_of_sum(sum, bits, n);
 }
 
 /* Lists -------------------------------------------------------------------------------------------------------------
@@ -150,7 +170,7 @@ static LIM_INLINE void list_plain(struct lim_mesh_leaf *leaf, const struct lim_m
         if (LIM_UNLIKELY((head & LIM_POLYGON_COUNT) != 3)) {
             if (polygon_faces(leaf, seen, record)) {
                 entry->record = (lim_index)(record - polygons);
-                entry++->key = leaf_mean(leaf, seen, record);
+                entry++->key = record_nearness(leaf, seen, record).mean;
             }
         } else {
             const lim_index i = (lim_index)(record[2] - first), j = (lim_index)(record[3] - first),
@@ -184,13 +204,13 @@ static LIM_RARE void list_clipped(struct lim_mesh_leaf *leaf, const struct lim_m
     for (;; record += lim_record_words(record[0])) {
         if (polygon_faces(leaf, seen, record)) {
             leaf->entries[leaf->used++].record = (lim_index)(record - seen->scene->polygons);
-            nearest |= nearness_bits(leaf, seen, record);
+            nearest |= record_nearness(leaf, seen, record).bits;
         }
         if (record[0] & LIM_POLYGON_LAST) break;
     }
     lim_view_refine(seen->view, seen->scene, part, nearest, leaf->nearness, &leaf->near_shift);
     for (uint16_t i = 0; i < leaf->used; i++)
-        leaf->entries[i].key = leaf_mean(leaf, seen, &seen->scene->polygons[leaf->entries[i].record]);
+        leaf->entries[i].key = record_nearness(leaf, seen, &seen->scene->polygons[leaf->entries[i].record]).mean;
 }
 
 static void leaf_list(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *run,
