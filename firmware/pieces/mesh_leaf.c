@@ -19,8 +19,8 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
 {
     uint8_t *at = mem;
 
+    leaf->points = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->points); /* some targets write whole words */
     leaf->entries = lim_mem_cut(&at, limits->leaf_polygons * sizeof *leaf->entries);
-    leaf->points = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->points);
     leaf->nearness = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->nearness);
 }
 
