@@ -152,6 +152,25 @@ void parts_leave_out(struct parts *parts, const struct mesh *mesh, size_t i)
     parts->items[i].polygons = 0;
 }
 
+void parts_unite(struct parts *parts, const struct mesh *mesh)
+{
+    size_t records = 0, polygons = 0;
+    for (size_t i = 0; i < mesh->polygon_count; i++) {
+        records += mesh->polygons[i].two_sided ? 2 : 1;
+        polygons += parts->of[i] > 0;
+    }
+    const bool fits = polygons == mesh->polygon_count && records <= PART_RECORDS_MAX;
+    for (size_t i = 0; i < mesh->polygon_count; i++)
+        parts->of[i] = fits;
+    for (size_t i = 1; i < parts->count; i++)
+        for (int k = 0; k < 3; k++) {
+            parts->items[0].low[k] = fmin(parts->items[0].low[k], parts->items[i].low[k]);
+            parts->items[0].high[k] = fmax(parts->items[0].high[k], parts->items[i].high[k]);
+        }
+    if (fits) parts->items[0].polygons = polygons;
+    parts->count = fits;
+}
+
 size_t parts_taken(const struct parts *parts)
 {
     size_t taken = 0;
