@@ -106,6 +106,7 @@ struct lim_delta_stats {
 struct lim_stats {
     uint32_t nodes;            /* nodes visited */
     uint32_t records;          /* records of leaves, each of which has a plane to test; mesh: all triangles */
+    uint32_t leaf_records;     /* of these, those of mesh leaves */
     uint32_t boxes, boxes_out; /* subtree bounds tested; of these out of the open view */
     uint32_t hidden;           /* subtrees that cannot be seen from where the eye is */
     uint32_t polygons;         /* polygons reached: front-facing, in a subtree that was not skipped */

@@ -316,7 +316,10 @@ bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_inde
 
     if (is_hidden_leaf(nearest, run)) return true;
     lim_mesh_leaf_sort(leaf, &seen, run);
-    if (LIM_HAS_STATS) lim_stats_of(pass)->records += lim_mesh_leaf_words(run)[LIM_MESH_LEAF_POLYGONS];
+    if (LIM_HAS_STATS) {
+        lim_stats_of(pass)->records += lim_mesh_leaf_words(run)[LIM_MESH_LEAF_POLYGONS];
+        lim_stats_of(pass)->leaf_records += lim_mesh_leaf_words(run)[LIM_MESH_LEAF_POLYGONS];
+    }
     if (leaf->extent != LIM_VIEW_INSIDE) nearest->retained.overhangs = true;
     while (nearest->spans.open_lines && (entry = lim_mesh_leaf_next(leaf)) != LIM_NONE) {
         const LIM_FLASH lim_index *record = lim_mesh_leaf_record(leaf, pass->scene, entry);

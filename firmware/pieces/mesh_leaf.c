@@ -19,8 +19,8 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
 {
     uint8_t *at = mem;
 
+    leaf->points = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->points); /* some targets write whole words */
     leaf->entries = lim_mem_cut(&at, limits->leaf_polygons * sizeof *leaf->entries);
-    leaf->points = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->points);
     leaf->nearness = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->nearness);
     leaf->list_count = LIM_MESH_LEAF_LISTS(limits->leaf_polygons);
     leaf->lists = lim_mem_cut(&at, leaf->list_count * sizeof *leaf->lists);

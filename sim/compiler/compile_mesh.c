@@ -334,8 +334,10 @@ bool compilation_begin(struct compilation *work, const struct mesh *mesh, const 
     if (!check_grid(work, err) || !check_size(work, err)) return false;
     if (options->tree == TREE_MESH) return true; /* nothing is divided */
     coplanar_find(mesh, work->points.approx, options->tolerance_units, &work->coplanar);
-    if (options->mesh_leaves == MESH_LEAVES_ALL && compile_options_may_leaf(options))
+    if (options->mesh_leaves == MESH_LEAVES_ALL && compile_options_may_leaf(options)) {
         parts_find(mesh, work->points.approx, &work->parts);
+        if (options->whole_leaf) parts_unite(&work->parts, mesh);
+    }
     return deadline_check(err, "planes of %zu polygons were still sought", mesh->polygon_count);
 }
 

@@ -21,8 +21,9 @@ enum { LEFT_OUT_MAX = 4 };
 
 static bool is_open(const struct compile_options *options, const struct compiled *scene)
 {
-    if (options->mesh_leaves != MESH_LEAVES_AUTO || !options->choose_order || options->method) return false;
-    if (options->tree != TREE_AUTO || !compile_options_may_leaf(options)) return false;
+    const bool is_named = options->method || options->tree != TREE_AUTO;
+    if (options->mesh_leaves != MESH_LEAVES_AUTO || !options->choose_order) return false;
+    if ((is_named && !options->leaves_open) || !compile_options_may_leaf(options)) return false;
     if (scene->report.left_out || scene->scene.place_count || lim_scene_is_mesh(&scene->scene)) return false;
     return !isnan(scene->report.instructions);
 }

@@ -62,6 +62,8 @@ static void number_faces(struct compiled *scene, const uint32_t *numbers)
 {
     for (size_t i = 0; i < scene->scene.polygon_count; i++)
         scene->faces[i] = numbers[scene->faces[i] - 1];
+    for (size_t i = 0; i < LEAF_PARTS_TOLD && i < scene->report.leaf_parts.count; i++)
+        scene->report.leaf_parts.parts[i].face = numbers[scene->report.leaf_parts.parts[i].face - 1];
 }
 
 static bool key_set(const struct model_key *from, const struct grid *grid, struct lim_motion_key *to)
@@ -103,6 +105,12 @@ static bool motion_set(const struct model *model, size_t index, const struct gri
     return true;
 }
 
+/* Whether nobody names what the scene and its objects are drawn by. */
+static bool is_open(const struct compile_options *options)
+{
+    return !options->method && options->tree == TREE_AUTO;
+}
+
 static bool compile_object(struct moving *moving, size_t index, const struct grid *scene_grid,
                            const struct compile_options *options, enum moving_mode mode, struct error *err)
 {
@@ -116,6 +124,8 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     own.worst_tries = 0;                /* pools are the scene's */
     own.path = (struct camera_path){0}; /* and so are cameras */
     own.forced_near_m = lens_forced_near_m(scene_grid);
+    own.leaves_open = is_open(options);
+    own.whole_leaf = true;
     own.method = &methods[0];
     own.tree = TREE_BSP;
     own.portals = PORTALS_OFF;
@@ -175,6 +185,8 @@ static void limits_set(struct moving *moving)
         const struct lim_scene *object = &moving->objects[i].scene.scene;
         polygons += object->polygon_count;
         if (object->limits.depth > limits->depth) limits->depth = object->limits.depth;
+        if (object->limits.leaf_vertices > limits->leaf_vertices) limits->leaf_vertices = object->limits.leaf_vertices;
+        if (object->limits.leaf_polygons > limits->leaf_polygons) limits->leaf_polygons = object->limits.leaf_polygons;
     }
     const size_t entries = moving->count + polygons * ENTRIES_A_POLYGON + ENTRIES_SPARE;
     limits->entries = (uint16_t)(entries < LIM_SORTED_MAX ? entries : LIM_SORTED_MAX);
@@ -214,6 +226,7 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     struct compile_options own = *options;
     struct model part;
     uint32_t *numbers;
+    own.leaves_open = is_open(options);
     if (!own.method) own.method = &methods[0]; /* nearest first */
     if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
     own.predict = false; /* all parts together are */

@@ -2,6 +2,7 @@
  *
  * What compiling made of a model, as a table. */
 #include "compiler/compile.h"
+#include "compiler/leaf_report.h"
 #include "core/core.h"
 #include "scene/compiled.h"
 #include "scene/mcu_mem.h"
@@ -111,27 +112,6 @@ static void print_mesh_choice(const struct compiled *scene)
                choice->tree_mem_b);
 }
 
-/* Dense parts whose order is by distance, in one line; or why there are none. */
-static void print_leaf_parts(const struct compile_report *report)
-{
-    const struct leaf_report *leaves = &report->leaf_parts;
-    if (!leaves->count && !leaves->tried) return;
-    printf("  mesh leaves, not exact: ");
-    if (leaves->count)
-        printf("%zu dense part%s of %zu polygons", leaves->count, leaves->count > 1 ? "s" : "", leaves->polygons);
-    else
-        printf("none; the last of %zu attempts", leaves->attempts);
-    for (size_t i = 0; i < leaves->count && i < LEAF_PARTS_TOLD; i++)
-        printf("%s face %lu on (%zu)", i ? "," : ", of", (unsigned long)leaves->parts[i].face,
-               leaves->parts[i].polygons);
-    if (leaves->count > LEAF_PARTS_TOLD) printf(" ...");
-    if (leaves->tried)
-        printf("; %.0f instead of %.0f instructions predicted", leaves->instructions, leaves->without_instructions);
-    if (leaves->tried && !isnan(leaves->wrong_percent))
-        printf("; %.4f %% of pixels wrong, at most %.4f %%", leaves->wrong_percent, leaves->bound_percent);
-    putchar('\n');
-}
-
 /* Searched, not proved. */
 static void print_worst(const struct compile_report *report)
 {
@@ -190,7 +170,7 @@ static void print_tree(const struct compiled *scene)
         printf("  %-28s %8zu of %s: chosen for these\n", "cameras", report->path.count, report->path.name);
     if (is_predicted(report)) print_order(scene);
     print_mesh_choice(scene);
-    print_leaf_parts(report);
+    leaf_report_print(&report->leaf_parts, NULL);
     print_worst(report);
     if (!isnan(report->wrong.percent))
         printf("  %-28s %8.4f %%, %zu sampled cameras\n", "wrong pixels, predicted", report->wrong.percent,

@@ -26,7 +26,7 @@ struct frame_cost_term {
     const char *name;
     double count, each; /* instructions */
 };
-enum { FRAME_COST_TERMS = 13 };
+enum { FRAME_COST_TERMS = 14 };
 void frame_cost_terms(const struct lim_stats *stats, const struct lim_target *target,
                       struct frame_cost_term terms[FRAME_COST_TERMS]);
 

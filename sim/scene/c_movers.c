@@ -29,7 +29,7 @@ void c_movers_declare(FILE *file, const struct named_scene *scene, const struct 
     for (size_t i = 0; i < moving->count; i++) {
         fputs(i ? ", '" : " '", file);
         write_in_comment(file, moving->objects[i].name);
-        fputc('\'', file);
+        fputs(moving->objects[i].scene.report.mesh_leaves ? "', by distance: an approximate order" : "'", file);
     }
     fprintf(file, ". Initialises struct lim_movers_limits; and bytes for lim_movers_init(). */\n");
     fprintf(file, "#define %s_MOVERS %zu\n", name->macro, moving->count);

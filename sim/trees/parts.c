@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double HELD_SHARE = 0.5; /* of the polygons of other parts */
+static const double HELD_SHARE = 0.5;   /* of the polygons of other parts */
+static const double ROUND_SHARE = 0.75; /* of the diagonal of the mesh's box */
 
 /* Each polygon leads to one of its part that comes no later. */
 uint32_t parts_leader(uint32_t *leaders, uint32_t polygon)
@@ -88,9 +89,10 @@ static void middle_of(const struct mesh *mesh, const struct mesh_polygon *polygo
 
 /* Walls round all else, or the ground below it: no axis plane could part it from what its box holds. */
 static bool is_round_others(const struct mesh *mesh, double (*points)[3], uint32_t *leaders, uint32_t leader,
-                            const struct part *part)
+                            const struct part *part, double mesh_diagonal)
 {
     size_t held = 0;
+    if (parts_diagonal(part->low, part->high) < ROUND_SHARE * mesh_diagonal) return false;
     for (uint32_t i = 0; i < mesh->polygon_count; i++) {
         double at[3];
         if (parts_leader(leaders, i) == leader) continue;
@@ -101,15 +103,27 @@ static bool is_round_others(const struct mesh *mesh, double (*points)[3], uint32
     return (double)held > HELD_SHARE * (double)(mesh->polygon_count - part->polygons);
 }
 
+static double diagonal_of_all(const struct survey *surveys, size_t count)
+{
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (size_t i = 0; i < count; i++)
+        for (int k = 0; surveys[i].part.polygons && k < 3; k++) {
+            low[k] = fmin(low[k], surveys[i].part.low[k]);
+            high[k] = fmax(high[k], surveys[i].part.high[k]);
+        }
+    return parts_diagonal(low, high);
+}
+
 static void take(struct parts *out, const struct survey *surveys, const struct mesh *mesh, double (*points)[3],
                  uint32_t *leaders)
 {
+    const double all = diagonal_of_all(surveys, mesh->polygon_count);
     for (uint32_t i = 0; i < mesh->polygon_count; i++) {
         const uint32_t leader = parts_leader(leaders, i);
         if (leader != i)
             out->of[i] = out->of[leader];
         else if (!mesh->polygons[i].transparency && is_dense(&surveys[i]) &&
-                 !is_round_others(mesh, points, leaders, i, &surveys[i].part)) {
+                 !is_round_others(mesh, points, leaders, i, &surveys[i].part, all)) {
             out->items[out->count++] = surveys[i].part;
             out->of[i] = (uint32_t)out->count;
         }
@@ -136,6 +150,25 @@ void parts_leave_out(struct parts *parts, const struct mesh *mesh, size_t i)
     for (size_t k = 0; k < mesh->polygon_count; k++)
         if (parts->of[k] == i + 1) parts->of[k] = 0;
     parts->items[i].polygons = 0;
+}
+
+void parts_unite(struct parts *parts, const struct mesh *mesh)
+{
+    size_t records = 0, polygons = 0;
+    for (size_t i = 0; i < mesh->polygon_count; i++) {
+        records += mesh->polygons[i].two_sided ? 2 : 1;
+        polygons += parts->of[i] > 0;
+    }
+    const bool fits = polygons == mesh->polygon_count && records <= PART_RECORDS_MAX;
+    for (size_t i = 0; i < mesh->polygon_count; i++)
+        parts->of[i] = fits;
+    for (size_t i = 1; i < parts->count; i++)
+        for (int k = 0; k < 3; k++) {
+            parts->items[0].low[k] = fmin(parts->items[0].low[k], parts->items[i].low[k]);
+            parts->items[0].high[k] = fmax(parts->items[0].high[k], parts->items[i].high[k]);
+        }
+    if (fits) parts->items[0].polygons = polygons;
+    parts->count = fits;
 }
 
 size_t parts_taken(const struct parts *parts)

@@ -30,6 +30,10 @@ void parts_find(const struct mesh *mesh, double (*points)[3], struct parts *out)
 /* Takes out part i, from 0; the others keep their numbers. */
 void parts_leave_out(struct parts *parts, const struct mesh *mesh, size_t i);
 
+/* Makes one part of all, if all of the mesh's polygons are in them, and one leaf has room for it; else there is none.
+ */
+void parts_unite(struct parts *parts, const struct mesh *mesh);
+
 /* How many there are, without those left out. */
 size_t parts_taken(const struct parts *parts);
 

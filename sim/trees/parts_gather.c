@@ -73,8 +73,9 @@ static bool try_join(struct sweep *sweep, uint32_t p, uint32_t q)
 
 static int compare_lows(const void *a, const void *b)
 {
-    const double p = ((const struct swept *)a)->low, q = ((const struct swept *)b)->low;
-    return (p > q) - (p < q);
+    const struct swept *p = a, *q = b;
+    if (p->low != q->low) return p->low < q->low ? -1 : 1;
+    return p->leader < q->leader ? -1 : 1;
 }
 
 static bool sweep_once(struct sweep *sweep)

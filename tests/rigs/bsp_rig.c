@@ -18,7 +18,7 @@ void bsp_rig_make(struct bsp_rig *rig, const struct mesh *mesh, enum tree_kind k
     for (size_t i = 0; i < mesh->point_count; i++)
         exact_add_m(&rig->points, mesh->points[i], &mesh->grid);
     coplanar_find(mesh, rig->points.approx, tolerance, &rig->coplanar);
-    const struct tree_plan plan = {kind, splitter, tolerance};
+    const struct tree_plan plan = {kind, splitter, tolerance, NULL};
     assert_true(bsp_build(&rig->bsp, mesh, &rig->coplanar, &plan, &rig->points));
     rig->all = rig->bsp.placed;
 }

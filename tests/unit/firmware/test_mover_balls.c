@@ -174,7 +174,7 @@ struct pair {
 
 static void pair_open(struct pair *pair)
 {
-    const struct lim_movers_limits limits = {PAIR, 1, ENTRIES};
+    const struct lim_movers_limits limits = {PAIR, 1, ENTRIES, 0, 0};
 
     memset(pair, 0, sizeof *pair);
     set_init(&pair->nothing);

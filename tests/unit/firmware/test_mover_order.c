@@ -42,7 +42,7 @@ static void stage_init(struct stage *stage)
 
 static const struct lim_stats *draw(struct stage *stage, enum lim_method method, uint16_t count)
 {
-    const struct lim_movers_limits limits = {OBJECTS, 1, ENTRIES};
+    const struct lim_movers_limits limits = {OBJECTS, 1, ENTRIES, 0, 0};
     const struct lim_target target = plain_lines_target(&stage->lines, SET_SIDE_PX, SET_SIDE_PX, method);
     const struct lim_camera camera = set_camera(false);
     const size_t mem_b = lim_mem_b(&stage->nothing.scene, &target);

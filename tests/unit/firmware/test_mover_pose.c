@@ -48,7 +48,7 @@ static void add_triangles(struct set *set, const int16_t at[3])
 
 static struct lim_movers_limits limits_of(uint16_t entries)
 {
-    return (struct lim_movers_limits){MOVERS, 1, entries};
+    return (struct lim_movers_limits){MOVERS, 1, entries, 0, 0};
 }
 
 /* Movers their memory: how many corners they may have depends on the renderer's. */

@@ -49,7 +49,7 @@ static void set_wall(struct stage *stage, const struct lim_vertex corners[3])
 static void stage_open(struct stage *stage)
 {
     static const int16_t triangle[3][3] = {{0, 0, 0}, {90, 0, 0}, {0, 90, 0}};
-    const struct lim_movers_limits limits = {MOVERS, 1, ENTRIES};
+    const struct lim_movers_limits limits = {MOVERS, 1, ENTRIES, 0, 0};
 
     memset(stage, 0, sizeof *stage);
     set_init(&stage->scene);

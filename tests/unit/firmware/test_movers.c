@@ -363,7 +363,7 @@ static void a_flag_bends_in_the_wind(void **state)
     mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
     rig.moving.instances[0].deforms = true;
     assert_true(rig.moving.objects[0].scene.scene.vertex_count <= sizeof vertices / sizeof *vertices);
-    const struct lim_movers_limits plenty = {2, rig.moving.limits.depth, 2000};
+    const struct lim_movers_limits plenty = {2, rig.moving.limits.depth, 2000, 0, 0};
     mover_rig_limit(&rig, &plenty);
     for (int i = 0; i < 8; i++) {
         const double angle = i * 0.8 + 0.1;
@@ -385,7 +385,7 @@ static void a_flag_bends_in_the_wind(void **state)
 static uint32_t forced_with(struct mover_rig *rig, uint16_t entries, size_t *wrong)
 {
     struct simulator *simulator = &rig->ids.simulator;
-    const struct lim_movers_limits limits = {rig->moving.limits.instances, rig->moving.limits.depth, entries};
+    const struct lim_movers_limits limits = {rig->moving.limits.instances, rig->moving.limits.depth, entries, 0, 0};
     const size_t before = rig->counts.wrong;
 
     assert_int_equal(simulator->core->movers_init(simulator->lim, simulator->mover_mem,

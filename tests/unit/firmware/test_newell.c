@@ -308,7 +308,7 @@ static void what_shines_through_pieces_needs_no_memory_either(void **state)
     assert_true(lim_stats(&plenty.lim)->newell.splits > 0);
     assert_in_range(lim_stats(&plenty.lim)->layers_max, 2, 12);
     assert_memory_not_equal(plenty.pixels, solid.pixels, sizeof plenty.pixels);
-    set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, set.scene.limits.pieces, 1};
+    set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, set.scene.limits.pieces, 1, 0, 0};
     set_draw(&set, LIM_NEWELL, NULL, -1, &camera, &least);
     assert_true(lim_stats(&least.lim)->bands > 10);
     assert_memory_equal(plenty.pixels, least.pixels, sizeof plenty.pixels);
@@ -328,7 +328,7 @@ static void any_memory_beside_gives_the_same_picture(void **state)
     make_ring(&set, false);
     set_draw(&set, LIM_NEWELL, NULL, -1, &camera, &plenty);
     assert_int_equal(lim_stats(&plenty.lim)->bands, 0);
-    set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, set.scene.limits.pieces, 0};
+    set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, set.scene.limits.pieces, 0, 0, 0};
     set_draw(&set, LIM_NEWELL, NULL, -1, &camera, &least);
     assert_true(lim_stats(&least.lim)->bands > 4);
     assert_int_equal(lim_stats(&least.lim)->newell.splits, lim_stats(&plenty.lim)->newell.splits);

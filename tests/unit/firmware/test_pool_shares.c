@@ -49,7 +49,7 @@ static void make_set(struct set *set)
     set_init(set);
     set_add(set, 1, 3, corners);
     set_add(set, 2, 3, corners);
-    set->scene.limits = (struct lim_limits){7, 4, 101, 33, 9, 20, 6};
+    set->scene.limits = (struct lim_limits){7, 4, 101, 33, 9, 20, 6, 0, 0};
 }
 
 /* All that a renderer is lent, in bytes, one after the other. */

@@ -495,7 +495,7 @@ static void pieces_have_the_samples_on_their_side(void **state)
         assert_int_equal(stats.newell.forced, 0);
         mixed += check_samples(&bars, &plenty);
         splits += stats.newell.splits;
-        bars.set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, bars.set.scene.limits.pieces, 0};
+        bars.set.scene.limits = (struct lim_limits){1, 4, 0, 0, 0, bars.set.scene.limits.pieces, 0, 0, 0};
         alone += draw(&bars.set, true, &least).bands;
         assert_memory_equal(plenty.pixels, least.pixels, sizeof plenty.pixels);
     }

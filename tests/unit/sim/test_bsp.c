@@ -175,7 +175,7 @@ static void grove_plant(struct grove *grove, uint64_t seed, const struct splitte
     for (size_t i = 0; i < grove->mesh.point_count; i++)
         exact_add_m(&grove->points, grove->mesh.points[i], &grove->mesh.grid);
     coplanar_find(&grove->mesh, grove->points.approx, tolerance, &grove->coplanar);
-    const struct tree_plan plan = {TREE_BSP, splitter, tolerance};
+    const struct tree_plan plan = {TREE_BSP, splitter, tolerance, NULL};
     assert_true(bsp_build(&grove->bsp, &grove->mesh, &grove->coplanar, &plan, &grove->points));
 }
 

@@ -338,7 +338,7 @@ static void pools_are_never_below_the_least(void **state)
     assert_in_range(limits->gaps, 1, SIDE_PX + SIDE_PX / 8 + 1);
     assert_in_range(limits->active, 1, 2);
     const size_t least_b = mcu_mem_min_b(&scene);
-    scene.scene.limits = (struct lim_limits){1, 3, 10, 1, 1, 0, 0};
+    scene.scene.limits = (struct lim_limits){1, 3, 10, 1, 1, 0, 0, 0, 0};
     assert_int_equal(least_b, mcu_mem_b(&scene));
     compiled_free(&scene);
     mesh_rig_free(&mesh);
