@@ -14,12 +14,12 @@
 
 enum { KEY_MOST = 0xFFFF };
 
-/* Widest alignment first. */
+/* Points first: some processors write them as words. */
 void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_limits *limits)
 {
     uint8_t *at = mem;
 
-    leaf->points = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->points); /* some targets write whole words */
+    leaf->points = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->points);
     leaf->entries = lim_mem_cut(&at, limits->leaf_polygons * sizeof *leaf->entries);
     leaf->nearness = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->nearness);
     leaf->list_count = LIM_MESH_LEAF_LISTS(limits->leaf_polygons);

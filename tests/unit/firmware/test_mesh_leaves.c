@@ -71,7 +71,7 @@ static void make_leaf(void)
                                                  .vertices = 3,
                                                  .retained_cells = (uint16_t)(8 * soup.scene.polygon_count + 8),
                                                  .gaps = 2000,
-                                                 .active = soup.scene.polygon_count,
+                                                 .active = (uint16_t)soup.scene.polygon_count,
                                                  .leaf_vertices = (uint16_t)soup.scene.vertex_count,
                                                  .leaf_polygons = (uint16_t)soup.scene.polygon_count};
 }
@@ -128,20 +128,35 @@ static void by_every_order_the_nearest_middle_is_seen(void **state)
 
 enum { W_PX = 60, H_PX = 45, LINE_B = 2 * (W_PX + 2), PICTURE_B = H_PX * LINE_B };
 
+static void *lend(void *ctx, uint16_t y_px)
+{
+    return (uint16_t *)ctx + (size_t)y_px * (W_PX + 2);
+}
+
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    (void)ctx;
+    assert_true(y_px < H_PX && x_px + n_px <= W_PX);
+    return 0;
+}
+
 /* part_q8: of the memory between the least and what is comfortable. */
 static void draw(const struct core *core, enum lim_method method, const struct lim_camera *camera, unsigned part_q8,
                  uint16_t *out)
 {
-    const struct lim_target target = {.w_px = W_PX, .h_px = H_PX, .format = LIM_RGB565, .method = method};
+    const struct lim_target target = {
+        .w_px = W_PX, .h_px = H_PX, .format = LIM_RGB565, .method = method, .ctx = out, .lend = lend, .done = done};
     const size_t least_b = core->mem_min_b(&leaf.soup.scene, &target), most_b = core->mem_b(&leaf.soup.scene, &target);
-    struct soup_view view;
+    const size_t mem_b = least_b + ((most_b - least_b) * part_q8 >> 8) / 8 * 8;
+    void *lim = malloc(core->lim_b), *mem = malloc(mem_b);
 
-    assert_int_equal(soup_view_init(&view, core, &leaf.soup, method, W_PX, H_PX,
-                                    least_b + ((most_b - least_b) * part_q8 >> 8) / 8 * 8, 0x5A),
-                     LIM_OK);
-    assert_int_equal(view.core->frame(view.lim, camera), LIM_OK);
-    memcpy(out, view.pixels, PICTURE_B);
-    soup_view_free(&view);
+    assert_true(lim && mem);
+    memset(mem, 0x5A, mem_b);
+    memset(out, 0, PICTURE_B);
+    assert_int_equal(core->init(lim, &leaf.soup.scene, &target, mem, mem_b), LIM_OK);
+    assert_int_equal(core->frame(lim, camera), LIM_OK);
+    free(lim);
+    free(mem);
 }
 
 static void any_order_and_any_memory_show_the_same(void **state)
