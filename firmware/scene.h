@@ -357,7 +357,7 @@ static inline bool lim_is_mesh_leaf(const LIM_FLASH lim_index *record)
 /* What it says of the leaf: LIM_MESH_LEAF_... */
 static inline const LIM_FLASH lim_index *lim_mesh_leaf_words(const LIM_FLASH lim_index *record)
 {
-    return record + lim_record_words(record[0] & ~(lim_index)(LIM_POLYGON_MESH | LIM_POLYGON_TEXTURE));
+    return record + lim_record_words((lim_index)(record[0] & ~(LIM_POLYGON_MESH | LIM_POLYGON_TEXTURE)));
 }
 
 /* The plane that lim_plane_ref.plane names, if not an axis plane. */

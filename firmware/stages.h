@@ -106,7 +106,6 @@ struct lim_delta_stats {
 struct lim_stats {
     uint32_t nodes;            /* nodes visited */
     uint32_t records;          /* records of leaves, each of which has a plane to test; mesh: all triangles */
-    uint32_t leaf_records;     /* of these, those of mesh leaves */
     uint32_t boxes, boxes_out; /* subtree bounds tested; of these out of the open view */
     uint32_t hidden;           /* subtrees that cannot be seen from where the eye is */
     uint32_t polygons;         /* polygons reached: front-facing, in a subtree that was not skipped */
@@ -135,6 +134,7 @@ struct lim_stats {
     uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
     uint32_t active_max_b; /* what those take beside the memory that pass two does not need, at most */
     uint16_t layers_max;   /* most transparent pieces of one line, nearest first */
+    uint32_t leaf_records; /* of `records`, those of mesh leaves */
 };
 
 /* View ------------------------------------------------------------------------------------------------------------ */
