@@ -236,7 +236,7 @@ generator := $(filter-out %textured.c sim/scenes/textured_% %scale.c sim/scenes/
 scale_generator := $(wildcard sim/scenes/scale_*.c) sim/scenes/generate_scale.c
 dense     := $(BUILD)/scenes/mesh5000.obj $(BUILD)/scenes/mesh5000.cam
 bench_generator := $(wildcard sim/scenes/bench_*.c) sim/scenes/generate_bench.c
-bench_scenes := $(addprefix $(BUILD)/scenes/bench/,spider.cam wuson.cam solid3648.cam map01.cam)
+bench_scenes := $(addprefix $(BUILD)/scenes/bench/,spider.cam wuson.cam solid3648.cam map01.cam furnished.obj)
 textured_generator := $(wildcard sim/scenes/textured_*.c) sim/scenes/generate_textured.c
 
 $(BUILD)/generate_demo: $(call object,$(generator))
@@ -282,6 +282,12 @@ $(BUILD)/scenes/bench/solid3648.cam: $(BUILD)/generate_bench sim/scenes/orbit.aw
 
 $(BUILD)/scenes/bench/map01.cam: $(BUILD)/generate_bench | packages
 	@$(bench_folder) && $< level $(basename $@) /usr/share/games/doom/freedoom2.wad MAP01
+
+# Rooms with things in them, along the way of rooms.cam.
+$(BUILD)/scenes/bench/furnished.obj: $(addprefix $(BUILD)/scenes/bench/,spider.cam wuson.cam solid3648.cam) sim/scenes/furnish.awk
+	@awk -v things="$(@D)/spider.obj 1.4 4.9 0 1 30; sim/scenes/teapot.obj 0.8 3 0 4.9 70; $(@D)/wuson.obj 1.7 8.6 0 3.1 10; \
+		$(@D)/solid3648.obj 1.3 8.9 0 8.9 200; $(@D)/spider.obj 1.6 12.9 0 8.9 0; sim/scenes/teapot.obj 1 12.9 0 12.9 0" \
+		-f sim/scenes/furnish.awk sim/scenes/rooms.obj >$@.part && mv $@.part $@
 
 # Made by installing their packages.
 /usr/share/assimp/models/%.obj: | packages ;

@@ -27,7 +27,7 @@ scenes='mesh5000 demo teapot rooms' # what takes longest first
 all_cores=m0plus,m3,m4,m33,rv32
 sizes='240x240 128x64'
 small=128x64-framebuffer small_scenes='teapot rooms' # where there is RAM for that on any board
-more_scenes='solid3648tex wuson solid3648 spider map01tex map01 teapot-smooth rooms-smooth teapottex roomstex movers'
+more_scenes='solid3648tex wuson solid3648 spider map01tex map01 teapot-smooth rooms-smooth teapottex roomstex movers furnished'
 more_cores=m0plus,m4 # on which others were counted, at 240x240
 paths='own random'
 seed=1
@@ -51,6 +51,7 @@ roomstex sim/scenes/mapped/roomstex.obj sim/scenes/rooms.cam
 teapot-smooth sim/scenes/teapot.obj sim/scenes/teapot.cam --antialias
 rooms-smooth sim/scenes/rooms.obj sim/scenes/rooms.cam --antialias
 movers sim/scenes/movers.gltf sim/scenes/movers.cam
+furnished $made/furnished.obj sim/scenes/rooms.cam
 END
 }
 

@@ -36,18 +36,20 @@ function follow_on(on) {
     if (is(on, "LIGHT", 1) || is(on, "DEFORM", 1)) on["LIM_HAS_MOVERS"] = 1
     if (is(on, "LARGE", 1)) on["LIM_HAS_SLANTED"] = 1
     if (is(on, "PORTALS", 1)) on["LIM_HAS_CULL"] = 1
+    if (is(on, "MESH_LEAVES", 1)) on["LIM_HAS_LEAVES"] = 1
     if (is(on, "LINES", 0)) on["LIM_HAS_FILL"] = 1
 }
 
 function follow_off(on) {
     if (is(on, "NEAREST", 0) && is(on, "PAINTER", 0)) {
         on["LIM_HAS_FRAMEBUFFER"] = 0
-        if (is(on, "SCANLINE", 0)) on["LIM_HAS_MOVERS"] = 0
+        if (is(on, "SCANLINE", 0)) on["LIM_HAS_MOVERS"] = on["LIM_HAS_MESH_LEAVES"] = 0
     }
     if (is(on, "NEAREST", 0) && is(on, "CONVEX", 0)) on["LIM_HAS_FILL"] = 0
     if (is(on, "MOVERS", 0)) on["LIM_HAS_LIGHT"] = on["LIM_HAS_DEFORM"] = 0
     if (is(on, "SLANTED", 0)) on["LIM_HAS_LARGE"] = 0
     if (is(on, "CULL", 0)) on["LIM_HAS_PORTALS"] = 0
+    if (is(on, "LEAVES", 0)) on["LIM_HAS_MESH_LEAVES"] = 0
 }
 
 function is(on, name, value) {
