@@ -12,40 +12,43 @@
 #include <math.h>
 #include <string.h>
 
-enum { RINGS = 16, BARS = 8, SEGMENTS = 6 };
+enum { ROUND = 24, BARS = 8, SEGMENTS = 6 };
 static const double PI = 3.14159265358979323846;
 
-static void quad_as_triangles(struct mesh *mesh, double at[4][3], bool has_first, bool has_second)
+static void quad_as_triangles(struct mesh *mesh, double at[4][3])
 {
     const double first[3][3] = {
         {at[0][0], at[0][1], at[0][2]}, {at[1][0], at[1][1], at[1][2]}, {at[2][0], at[2][1], at[2][2]}};
     const double second[3][3] = {
         {at[0][0], at[0][1], at[0][2]}, {at[2][0], at[2][1], at[2][2]}, {at[3][0], at[3][1], at[3][2]}};
-    if (has_first) mesh_rig_add(mesh, first, 3);
-    if (has_second) mesh_rig_add(mesh, second, 3);
+    mesh_rig_add(mesh, first, 3);
+    mesh_rig_add(mesh, second, 3);
 }
 
-static void bumpy_point(int i, int j, const double centre_m[3], double out[3])
+static void ring_point(int i, int j, const double centre_m[3], double out[3])
 {
-    const double a = PI * i / RINGS, b = 2 * PI * (j % RINGS) / RINGS, r = 1 + 0.1 * sin(5 * a) * cos(4 * b);
-    out[0] = centre_m[0] + (i % RINGS ? r * sin(a) * cos(b) : 0);
-    out[1] = centre_m[1] + r * cos(a);
-    out[2] = centre_m[2] + (i % RINGS ? r * sin(a) * sin(b) : 0);
+    const double a = 2 * PI * i / ROUND, b = 2 * PI * j / (ROUND / 2), r = 2.0 / 3 + cos(b) / 3;
+    out[0] = centre_m[0] + r * cos(a);
+    out[1] = centre_m[1] + sin(b) / 3 * cos(1) - r * sin(a) * sin(1);
+    out[2] = centre_m[2] + sin(b) / 3 * sin(1) + r * sin(a) * cos(1);
 }
 
-/* Not convex, so that a tree has to split it; its triangles are alike. */
-static void bumpy_ball(struct mesh *mesh, double x, double y, double z)
+/* A ring round a ball: planes of the one go through the other, and distance orders both. */
+static void ring(struct mesh *mesh, double x, double y, double z)
 {
     const double centre_m[3] = {x, y, z};
-    for (int i = 0; i < RINGS; i++)
-        for (int j = 0; j < RINGS; j++) {
+    for (int i = 0; i < ROUND; i++)
+        for (int j = 0; j < ROUND / 2; j++) {
             double at[4][3];
-            bumpy_point(i, j, centre_m, at[0]);
-            bumpy_point(i, j + 1, centre_m, at[1]);
-            bumpy_point(i + 1, j + 1, centre_m, at[2]);
-            bumpy_point(i + 1, j, centre_m, at[3]);
-            quad_as_triangles(mesh, at, i > 0, i + 1 < RINGS);
+            for (int c = 0; c < 4; c++)
+                ring_point((i + (c >= 2)) % ROUND, (j + (c == 1 || c == 2)) % (ROUND / 2), centre_m, at[c]);
+            const double corners[4][3] = {{at[0][0], at[0][1], at[0][2]},
+                                          {at[1][0], at[1][1], at[1][2]},
+                                          {at[2][0], at[2][1], at[2][2]},
+                                          {at[3][0], at[3][1], at[3][2]}};
+            mesh_rig_add(mesh, corners, 4);
         }
+    mesh_rig_ball(mesh, centre_m, 0.33, 12);
 }
 
 /* A square bar about a centre, turned about y, of many segments: with others through it no distance orders it. */
@@ -62,7 +65,7 @@ static void bar(struct mesh *mesh, const double centre_m[3], double turn, double
                 at[c][1] = centre_m[1] + v;
                 at[c][2] = centre_m[2] + along * sin(turn) + u * cos(turn);
             }
-            quad_as_triangles(mesh, at, true, true);
+            quad_as_triangles(mesh, at);
         }
 }
 
@@ -115,8 +118,8 @@ static void dense_parts_that_trees_split_become_leaves(void **state)
     struct mesh mesh = with_a_floor();
     const struct compile_options options = open_options();
     (void)state;
-    bumpy_ball(&mesh, -3, 0, 0);
-    bumpy_ball(&mesh, 3, 0, 0);
+    ring(&mesh, -3, 0, 0);
+    ring(&mesh, 3, 0, 0);
     struct compiled scene = settled_of(&mesh, &options);
     const struct leaf_report *leaves = &scene.report.leaf_parts;
     assert_int_equal(scene.report.mesh_leaves, 2);
@@ -135,11 +138,11 @@ static void what_errs_most_stays_out(void **state)
     struct mesh mesh = with_a_floor();
     const struct compile_options options = open_options();
     (void)state;
-    bumpy_ball(&mesh, -4, 0, 0);
+    ring(&mesh, -4, 0, 0);
     const size_t first = mesh.polygon_count;
     bars(&mesh, 0, 0, 0);
     const size_t end = mesh.polygon_count;
-    bumpy_ball(&mesh, 4, 0, 0);
+    ring(&mesh, 4, 0, 0);
     struct compiled scene = settled_of(&mesh, &options);
     const struct leaf_report *leaves = &scene.report.leaf_parts;
     assert_int_equal(leaves->attempts, 2);
@@ -187,7 +190,7 @@ static void what_is_said_or_must_be_exact_is_not_tried(void **state)
     struct mesh mesh = with_a_floor();
     struct compile_options options = open_options();
     (void)state;
-    bumpy_ball(&mesh, 0, 0, 0);
+    ring(&mesh, 0, 0, 0);
     assert_true(is_tried(&mesh, &options));
     options.mesh_leaves = MESH_LEAVES_NONE;
     assert_false(is_tried(&mesh, &options));
@@ -233,8 +236,8 @@ static void what_moves_is_whole(void **state)
     options.tree = TREE_BSP;
     options.mesh_leaves = MESH_LEAVES_ALL;
     options.whole_leaf = true;
-    bumpy_ball(&mesh, -3, 0, 0);
-    bumpy_ball(&mesh, 3, 0, 0);
+    ring(&mesh, -3, 0, 0);
+    ring(&mesh, 3, 0, 0);
     struct compiled scene = compiled_of(&mesh, &options);
     assert_int_equal(scene.scene.node_count, 1);
     assert_int_equal(scene.report.mesh_leaves, 1);
