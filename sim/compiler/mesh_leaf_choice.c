@@ -24,7 +24,7 @@ static bool is_open(const struct compile_options *options, const struct compiled
     const bool is_named = options->method || options->tree != TREE_AUTO;
     if (options->mesh_leaves != MESH_LEAVES_AUTO || !options->choose_order) return false;
     if ((is_named && !options->leaves_open) || !compile_options_may_leaf(options)) return false;
-    if (scene->report.left_out || scene->scene.place_count || lim_scene_is_mesh(&scene->scene)) return false;
+    if (scene->report.left_out || scene->scene.place_count) return false;
     return !isnan(scene->report.instructions);
 }
 
@@ -141,6 +141,7 @@ static void take(struct leaf_trial *trial, struct compiled *scene)
     report->wrong_percent = weighed.wrong_percent;
     report->bound_percent = weighed.bound_percent;
     trial->candidate.report.as_mesh = scene->report.as_mesh;
+    trial->candidate.report.as_mesh.by_distance.taken = trial->candidate.report.as_mesh.by_depth.taken = false;
     *scene = trial->candidate;
     trial->candidate = worse;
 }

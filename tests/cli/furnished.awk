@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: MIT
+#
 # Rooms with dense things in them, as OBJ and MTL: awk -v seed=N -v things=N -v how=HOW [-v dense=N] -v mtl=FILE -f furnished.awk.
 # HOW: apart, at random places and scales; touching, at the walls and at each other; inside, one in another; sheets, of no
 # thickness and seen from both sides; planes, where the partition's plane goes through them. Each has dense * dense / 2
