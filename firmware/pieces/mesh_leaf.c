@@ -22,6 +22,7 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
     leaf->points = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->points);
     leaf->entries = lim_mem_cut(&at, limits->leaf_polygons * sizeof *leaf->entries);
     leaf->nearness = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->nearness);
+    leaf->size = limits->leaf_polygons;
     leaf->list_count = LIM_MESH_LEAF_LISTS(limits->leaf_polygons);
     leaf->lists = lim_mem_cut(&at, leaf->list_count * sizeof *leaf->lists);
 }
@@ -152,94 +153,152 @@ static LIM_RARE struct leaf_nearness record_nearness(const struct lim_mesh_leaf 
     return nearness_of_sum(sum, bits, n);
 }
 
-/* Lists -------------------------------------------------------------------------------------------------------------
- */
+/* Lists ------------------------------------------------------------------------------------------------------------ */
 
-/* Entries in the order of the run, with twice the mean nearness for a key. */
-static LIM_INLINE void list_plain(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                  const LIM_FLASH lim_index *record, bool inside, bool by_samples)
+/* What is drawn first has the lower key. */
+static inline uint16_t key_of(const struct lim_mesh_leaf_seen *seen, uint32_t mean)
 {
-    const LIM_FLASH lim_index *const polygons = seen->scene->polygons;
+    return (uint16_t)(seen->back_to_front ? mean : KEY_MOST - mean);
+}
+
+static inline void add_entry_at(struct lim_mesh_entry *entry, const struct lim_mesh_leaf_seen *seen,
+                                const LIM_FLASH lim_index *record, uint32_t mean)
+{
+    entry->record = (lim_index)(record - seen->scene->polygons);
+    entry->key = key_of(seen, mean);
+}
+
+/* All that show, in the order of the run, where none has to be clipped. false: there is no room. */
+static LIM_INLINE bool list_plain(struct lim_mesh_leaf *leaf, bool inside, bool by_samples)
+{
+    const struct lim_mesh_leaf_seen seen = leaf->seen;
     const struct lim_point *const points = leaf->points;
     const uint16_t *const nearness = leaf->nearness;
     const lim_index first = leaf->first;
-    struct lim_mesh_entry *entry = leaf->entries;
+    const LIM_FLASH lim_index *record = leaf->run;
+    struct lim_mesh_entry *entry = leaf->entries, *const end = entry + leaf->size;
 
     for (;;) {
         const lim_index head = record[0];
         if (LIM_UNLIKELY((head & LIM_POLYGON_COUNT) != 3)) {
-            if (polygon_faces(leaf, seen, record)) {
-                entry->record = (lim_index)(record - polygons);
-                entry++->key = record_nearness(leaf, seen, record).mean;
+            if (polygon_faces(leaf, &seen, record)) {
+                if (entry == end) return false;
+                add_entry_at(entry++, &seen, record, record_nearness(leaf, &seen, record).mean);
             }
         } else {
             const lim_index i = (lim_index)(record[2] - first), j = (lim_index)(record[3] - first),
                             k = (lim_index)(record[4] - first);
             if (triangle_shows(lim_packed_load(&points[i]), lim_packed_load(&points[j]), lim_packed_load(&points[k]),
                                inside, by_samples)) {
-                const uint32_t mean = mean_of_three((uint32_t)nearness[i] + nearness[j] + nearness[k]);
-                entry->record = (lim_index)(record - polygons);
-                entry++->key = (uint16_t)mean;
+                if (entry == end) return false;
+                add_entry_at(entry++, &seen, record, mean_of_three((uint32_t)nearness[i] + nearness[j] + nearness[k]));
             }
         }
         if (head & LIM_POLYGON_LAST) break;
         record += lim_record_words(head);
     }
     leaf->used = (uint16_t)(entry - leaf->entries);
+    return true;
 }
 
-static LIM_ALONE void list_inside(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                  const LIM_FLASH lim_index *run)
+static LIM_ALONE bool list_inside(struct lim_mesh_leaf *leaf)
 {
-    list_plain(leaf, seen, run, true, false);
+    return list_plain(leaf, true, false);
 }
 
-/* The same where some may have to be clipped: keys wait until nearness is as fine as it gets. */
-static LIM_RARE void list_clipped(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                  const LIM_FLASH lim_index *record, const struct lim_view_part *part)
+/* A place in the order of drawing. Of two that are as near as each other the first one of the run is on top. */
+static uint64_t place_of(const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record, uint16_t key)
 {
-    uint16_t nearest = 0;
+    const uint32_t at = (uint32_t)(record - seen->scene->polygons);
 
+    return (uint64_t)key << 32 | (seen->back_to_front ? UINT32_MAX - at : at);
+}
+
+enum { PLACE_BITS = 48 };
+
+static bool leaf_shows(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record)
+{
+    const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
+    const struct lim_point *points = leaf->points;
+    const lim_index first = leaf->first;
+
+    if (leaf->extent == LIM_VIEW_CLIPPED || (record[0] & LIM_POLYGON_COUNT) != 3)
+        return polygon_faces(leaf, &leaf->seen, record);
+    return triangle_shows(lim_packed_load(&points[corners[0] - first]), lim_packed_load(&points[corners[1] - first]),
+                          lim_packed_load(&points[corners[2] - first]), leaf->extent == LIM_VIEW_INSIDE,
+                          lim_is_antialiased(leaf->seen.view));
+}
+
+/* Those whose places are from leaf->from to before leaf->end, as many as there are. false: there is no room. */
+static LIM_RARE bool list_between(struct lim_mesh_leaf *leaf)
+{
     leaf->used = 0;
-    for (;; record += lim_record_words(record[0])) {
-        if (polygon_faces(leaf, seen, record)) {
-            leaf->entries[leaf->used++].record = (lim_index)(record - seen->scene->polygons);
-            nearest |= record_nearness(leaf, seen, record).bits;
+    for (const LIM_FLASH lim_index *record = leaf->run;; record += lim_record_words(record[0])) {
+        if (leaf_shows(leaf, record)) {
+            const uint16_t mean = record_nearness(leaf, &leaf->seen, record).mean;
+            const uint64_t place = place_of(&leaf->seen, record, key_of(&leaf->seen, mean));
+            if (place >= leaf->from && place < leaf->end) {
+                if (leaf->used == leaf->size) return false;
+                add_entry_at(&leaf->entries[leaf->used++], &leaf->seen, record, mean);
+            }
         }
+        if (record[0] & LIM_POLYGON_LAST) return true;
+    }
+}
+
+/* From leaf->from on as many as there is room for: parts of the order are halved until one fits. */
+static LIM_RARE void list_some(struct lim_mesh_leaf *leaf)
+{
+    while (!list_between(leaf)) {
+        leaf->end = leaf->from + (leaf->end - leaf->from) / 2;
+        leaf->is_partial = true;
+    }
+}
+
+/* Nearness as fine as it gets, before keys are made of it. */
+static LIM_RARE void refine_nearness(struct lim_mesh_leaf *leaf, const struct lim_view_part *part)
+{
+    uint16_t seen = 0;
+
+    for (const LIM_FLASH lim_index *record = leaf->run;; record += lim_record_words(record[0])) {
+        if (leaf_shows(leaf, record)) seen |= record_nearness(leaf, &leaf->seen, record).bits;
         if (record[0] & LIM_POLYGON_LAST) break;
     }
-    lim_view_refine(seen->view, seen->scene, part, nearest, leaf->nearness, &leaf->near_shift);
-    for (uint16_t i = 0; i < leaf->used; i++)
-        leaf->entries[i].key = record_nearness(leaf, seen, &seen->scene->polygons[leaf->entries[i].record]).mean;
+    lim_view_refine(leaf->seen.view, leaf->seen.scene, part, seen, leaf->nearness, &leaf->near_shift);
 }
 
-static void leaf_list(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *run,
-                      const struct lim_view_part *part)
+/* All of them, if there is room. */
+static void list_first(struct lim_mesh_leaf *leaf)
 {
-    const bool by_samples = lim_is_antialiased(seen->view);
+    const bool by_samples = lim_is_antialiased(leaf->seen.view);
 
-    if (leaf->extent == LIM_VIEW_CLIPPED)
-        list_clipped(leaf, seen, run, part);
-    else if (!LIM_OPTIMISE_SIZE && leaf->extent == LIM_VIEW_INSIDE && !by_samples)
-        list_inside(leaf, seen, run);
-    else
-        list_plain(leaf, seen, run, leaf->extent == LIM_VIEW_INSIDE, by_samples);
+    leaf->is_partial = false;
+    leaf->from = 0;
+    leaf->end = UINT64_C(1) << PLACE_BITS;
+    if (leaf->extent != LIM_VIEW_CLIPPED) {
+        const bool inside = leaf->extent == LIM_VIEW_INSIDE;
+        if (!LIM_OPTIMISE_SIZE && inside && !by_samples ? list_inside(leaf) : list_plain(leaf, inside, by_samples))
+            return;
+    }
+    list_some(leaf);
 }
 
-/* Keys in the order of drawing, from 0 on. Returns how many bits they are too long by for the number of a list. */
-static uint8_t turn_keys(struct lim_mesh_leaf *leaf, bool back_to_front)
+/* Sorting ---------------------------------------------------------------------------------------------------------- */
+
+/* Makes keys begin at 0. Returns how many bits they are too long by for the number of a list. */
+static uint8_t lower_keys(struct lim_mesh_leaf *leaf)
 {
     const struct lim_mesh_entry *const end = leaf->entries + leaf->used;
     uint16_t least = KEY_MOST, most = 0;
+    uint8_t shift = 0;
 
-    for (struct lim_mesh_entry *entry = leaf->entries; entry < end; entry++) {
+    for (const struct lim_mesh_entry *entry = leaf->entries; entry < end; entry++) {
         if (entry->key < least) least = entry->key;
         if (entry->key > most) most = entry->key;
     }
     for (struct lim_mesh_entry *entry = leaf->entries; entry < end; entry++)
-        entry->key = (uint16_t)(back_to_front ? entry->key - least : most - entry->key);
+        entry->key = (uint16_t)(entry->key - least);
     const uint32_t range = leaf->used ? (uint32_t)(most - least) : 0;
-    uint8_t shift = 0;
     while (range >> shift >= leaf->list_count)
         shift++;
     return shift;
@@ -256,15 +315,17 @@ static inline void leaf_insert(struct lim_mesh_leaf *leaf, uint16_t at, uint16_t
     *link = at;
 }
 
-/* Of two that are as near as each other the first one of the run is on top. */
-static void fill_lists(struct lim_mesh_leaf *leaf, bool back_to_front, uint8_t shift)
+static void fill_lists(struct lim_mesh_leaf *leaf)
 {
+    const uint8_t shift = lower_keys(leaf);
+
     for (uint_fast16_t i = 0; i < leaf->list_count; i++)
         leaf->lists[i] = LIM_NONE;
     for (uint16_t i = 0; i < leaf->used; i++) {
-        const uint16_t at = (uint16_t)(back_to_front ? i : leaf->used - 1 - i);
+        const uint16_t at = (uint16_t)(leaf->seen.back_to_front ? i : leaf->used - 1 - i);
         leaf_insert(leaf, at, &leaf->lists[leaf->entries[at].key >> shift]);
     }
+    leaf->list = 0;
 }
 
 void lim_mesh_leaf_sort(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
@@ -274,15 +335,17 @@ void lim_mesh_leaf_sort(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_s
     const struct lim_view_part part = {words[LIM_MESH_LEAF_FIRST], words[LIM_MESH_LEAF_COUNT],
                                        words[LIM_MESH_LEAF_BOX]};
 
+    leaf->seen = *seen;
+    leaf->run = run;
     leaf->first = part.first;
     leaf->extent =
         (uint8_t)lim_view_all(seen->view, seen->scene, &part, leaf->points, leaf->nearness, &leaf->near_shift);
-    leaf_list(leaf, seen, run, &part);
-    fill_lists(leaf, seen->back_to_front, turn_keys(leaf, seen->back_to_front));
-    leaf->list = 0;
+    if (leaf->extent == LIM_VIEW_CLIPPED) refine_nearness(leaf, &part);
+    list_first(leaf);
+    fill_lists(leaf);
 }
 
-uint16_t lim_mesh_leaf_next(struct lim_mesh_leaf *leaf)
+static uint16_t next_entry(struct lim_mesh_leaf *leaf)
 {
     for (; leaf->list < leaf->list_count; leaf->list++) {
         const uint16_t entry = leaf->lists[leaf->list];
@@ -293,11 +356,32 @@ uint16_t lim_mesh_leaf_next(struct lim_mesh_leaf *leaf)
     return LIM_NONE;
 }
 
-bool lim_mesh_leaf_project(struct lim_screen_polygon *out, const struct lim_mesh_leaf *leaf,
-                           const struct lim_mesh_leaf_seen *seen, uint16_t entry, const struct lim_rect *open,
-                           struct lim_stats *stats)
+/* The next part of the order, twice as much of it. false: there is none. */
+static LIM_RARE bool go_to_next_part(struct lim_mesh_leaf *leaf)
 {
-    const LIM_FLASH lim_index *record = lim_mesh_leaf_record(leaf, seen->scene, entry);
+    const uint64_t length = leaf->end - leaf->from, last = UINT64_C(1) << PLACE_BITS;
+
+    if (!leaf->is_partial || leaf->end == last) return false;
+    leaf->from = leaf->end;
+    leaf->end = last - leaf->from < 2 * length ? last : leaf->from + 2 * length;
+    list_some(leaf);
+    fill_lists(leaf);
+    return true;
+}
+
+const LIM_FLASH lim_index *lim_mesh_leaf_next(struct lim_mesh_leaf *leaf)
+{
+    for (;;) {
+        const uint16_t entry = next_entry(leaf);
+        if (entry != LIM_NONE) return &leaf->seen.scene->polygons[leaf->entries[entry].record];
+        if (!go_to_next_part(leaf)) return NULL;
+    }
+}
+
+bool lim_mesh_leaf_project(struct lim_screen_polygon *out, const struct lim_mesh_leaf *leaf,
+                           const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats)
+{
+    const struct lim_mesh_leaf_seen *seen = &leaf->seen;
 
     if (!lim_mesh_leaf_corners(leaf, record, (uint8_t)(record[0] & LIM_POLYGON_COUNT), out->at))
         return lim_project(out, seen->view, seen->scene, record, open, stats);
