@@ -43,26 +43,57 @@ leaf_clip(struct lim_clip_polygon places[2], const struct lim_mesh_leaf_seen *se
     return lim_clip(places, seen->view->rows.near_qv);
 }
 
-static LIM_RARE bool clipped_faces(const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record)
+/* Of a coordinate: a line, or a column, of the screen or beside it. */
+static inline int32_t leaf_row(int32_t at)
+{
+    return lim_edge_row((lim_edge_sub)at) + LIM_ORIGIN_PX;
+}
+
+/* Where a vertex lies outside of the screen, as VIEW says it: by its code, or by its point. */
+static uint_fast8_t leaf_codes(const struct lim_mesh_leaf *leaf, lim_index vertex)
+{
+    const struct lim_point at = leaf->points[vertex - leaf->first];
+
+    if (!leaf->nearness[vertex - leaf->first]) return (uint_fast8_t)at.x;
+    const int32_t x = leaf_row(at.x), y = leaf_row(at.y);
+    return (uint_fast8_t)((x <= 0                           ? LIM_VIEW_LEFT
+                           : x >= leaf->seen.view->width.px ? LIM_VIEW_RIGHT
+                                                            : 0) |
+                          (y <= 0                            ? LIM_VIEW_TOP
+                           : y >= leaf->seen.view->height.px ? LIM_VIEW_BOTTOM
+                                                             : 0));
+}
+
+/* Most of what would have to be clipped lies behind the eye, or beside the screen. */
+static bool is_outside(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record)
+{
+    uint_fast8_t codes = LIM_VIEW_OUTSIDE;
+
+    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++)
+        codes &= leaf_codes(leaf, record[LIM_POLYGON_HEAD_WORDS + k]);
+    return codes;
+}
+
+static LIM_RARE bool clipped_shows(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record)
 {
     struct lim_clip_polygon places[2];
     struct lim_point at[CLIP_MAX_VERTICES];
-    const struct lim_clip_polygon *clipped = leaf_clip(places, seen, record);
 
+    if (is_outside(leaf, record)) return false;
+    const struct lim_clip_polygon *clipped = leaf_clip(places, &leaf->seen, record);
     for (uint_fast8_t k = 0; k < clipped->n; k++)
-        lim_view_project(seen->view, &clipped->at[k], &at[k]);
+        lim_view_project(leaf->seen.view, &clipped->at[k], &at[k]);
     return clipped->n && lim_edge_area(at, clipped->n) < 0;
 }
 
 /* Of more corners than three, or perhaps to be clipped. */
-static LIM_RARE bool polygon_faces(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                   const LIM_FLASH lim_index *record)
+static LIM_RARE bool polygon_shows(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record)
 {
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     struct lim_point at[LIM_MAX_VERTICES];
 
     LIM_DEBUG_ASSERT(n <= LIM_MAX_VERTICES);
-    return lim_mesh_leaf_corners(leaf, record, n, at) ? lim_edge_area(at, n) < 0 : clipped_faces(seen, record);
+    return lim_mesh_leaf_corners(leaf, record, n, at) ? lim_edge_area(at, n) < 0 : clipped_shows(leaf, record);
 }
 
 static inline int32_t leaf_least(int32_t a, int32_t b, int32_t c)
@@ -79,22 +110,25 @@ static inline int32_t leaf_most(int32_t a, int32_t b, int32_t c)
     return ab > c ? ab : c;
 }
 
-/* Whether there is the centre of a line, and of a column, between the corners: far away most triangles have none. */
-static inline bool has_centres(lim_packed a, lim_packed b, lim_packed c)
+/* Whether centres lie from one coordinate to before another, on the screen; `inside`: both are on it. */
+static inline bool has_centre(int32_t from, int32_t to, int32_t side_px, bool inside)
 {
-    const int32_t top = lim_packed_least_y(a, b, c), bottom = lim_packed_most_y(a, b, c);
-    const int32_t ax = lim_packed_x(a), bx = lim_packed_x(b), cx = lim_packed_x(c);
+    const int32_t first = leaf_row(from), end = leaf_row(to);
 
-    return lim_edge_row((lim_edge_sub)top) != lim_edge_row((lim_edge_sub)bottom) &&
-           lim_edge_row((lim_edge_sub)leaf_least(ax, bx, cx)) != lim_edge_row((lim_edge_sub)leaf_most(ax, bx, cx));
+    return first != end && (inside || (end > 0 && first < side_px));
 }
 
-/* Of a triangle that is not clipped: it faces the eye, and may have pixels. */
-static inline bool triangle_shows(lim_packed a, lim_packed b, lim_packed c, bool inside, bool by_samples)
+/* Of a triangle that is not clipped: it faces the eye, and there is the centre of a line, and of a column, between its
+ * corners. Far away most triangles have none. */
+static inline bool triangle_shows(const struct lim_view *view, lim_packed a, lim_packed b, lim_packed c, bool inside,
+                                  bool by_samples)
 {
     const bool faces = inside && !LIM_WIDE ? lim_packed_turns(a, b, c) : lim_packed_turns_far(a, b, c);
 
-    return faces && (by_samples || has_centres(a, b, c));
+    if (!faces || by_samples) return faces;
+    const int32_t ax = lim_packed_x(a), bx = lim_packed_x(b), cx = lim_packed_x(c);
+    return has_centre(lim_packed_least_y(a, b, c), lim_packed_most_y(a, b, c), view->height.px, inside) &&
+           has_centre(leaf_least(ax, bx, cx), leaf_most(ax, bx, cx), view->width.px, inside);
 }
 
 /* Nearness of its corners -------------------------------------------------------------------------------------------
@@ -168,34 +202,51 @@ static inline void add_entry_at(struct lim_mesh_entry *entry, const struct lim_m
     entry->key = key_of(seen, mean);
 }
 
-/* All that show, in the order of the run, where none has to be clipped. false: there is no room. */
-static LIM_INLINE bool list_plain(struct lim_mesh_leaf *leaf, bool inside, bool by_samples)
+/* Whether a polygon shows, and then the mean nearness of its corners. */
+static LIM_RARE bool polygon_mean(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record, uint32_t *mean)
+{
+    if (!polygon_shows(leaf, record)) return false;
+    *mean = record_nearness(leaf, &leaf->seen, record).mean;
+    return true;
+}
+
+/* Words of a record, which has no plane, no alpha and no flags of edges. */
+static inline size_t leaf_record_words(lim_index head)
+{
+    return lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_MESH | LIM_POLYGON_TEXTURE));
+}
+
+/* All that show, in the order of the run. false: there is no room. */
+static LIM_INLINE bool list_plain(struct lim_mesh_leaf *leaf, uint8_t extent, bool by_samples)
 {
     const struct lim_mesh_leaf_seen seen = leaf->seen;
     const struct lim_point *const points = leaf->points;
     const uint16_t *const nearness = leaf->nearness;
-    const lim_index first = leaf->first;
+    const lim_index vertex = leaf->first;
     const LIM_FLASH lim_index *record = leaf->run;
     struct lim_mesh_entry *entry = leaf->entries, *const end = entry + leaf->size;
 
     for (;;) {
         const lim_index head = record[0];
-        if (LIM_UNLIKELY((head & LIM_POLYGON_COUNT) != 3)) {
-            if (polygon_faces(leaf, &seen, record)) {
-                if (entry == end) return false;
-                add_entry_at(entry++, &seen, record, record_nearness(leaf, &seen, record).mean);
-            }
+        const lim_index i = (lim_index)(record[2] - vertex), j = (lim_index)(record[3] - vertex),
+                        k = (lim_index)(record[4] - vertex);
+        const bool is_plain = (head & LIM_POLYGON_COUNT) == 3 &&
+                              (extent != LIM_VIEW_CLIPPED || (nearness[i] && nearness[j] && nearness[k]));
+        uint32_t mean;
+        bool shows;
+        if (LIM_UNLIKELY(!is_plain)) {
+            shows = polygon_mean(leaf, record, &mean);
         } else {
-            const lim_index i = (lim_index)(record[2] - first), j = (lim_index)(record[3] - first),
-                            k = (lim_index)(record[4] - first);
-            if (triangle_shows(lim_packed_load(&points[i]), lim_packed_load(&points[j]), lim_packed_load(&points[k]),
-                               inside, by_samples)) {
-                if (entry == end) return false;
-                add_entry_at(entry++, &seen, record, mean_of_three((uint32_t)nearness[i] + nearness[j] + nearness[k]));
-            }
+            shows = triangle_shows(seen.view, lim_packed_load(&points[i]), lim_packed_load(&points[j]),
+                                   lim_packed_load(&points[k]), extent == LIM_VIEW_INSIDE, by_samples);
+            if (shows) mean = mean_of_three((uint32_t)nearness[i] + nearness[j] + nearness[k]);
+        }
+        if (shows) {
+            if (entry == end) return false;
+            add_entry_at(entry++, &seen, record, mean);
         }
         if (head & LIM_POLYGON_LAST) break;
-        record += lim_record_words(head);
+        record += leaf_record_words(head);
     }
     leaf->used = (uint16_t)(entry - leaf->entries);
     return true;
@@ -203,7 +254,7 @@ static LIM_INLINE bool list_plain(struct lim_mesh_leaf *leaf, bool inside, bool 
 
 static LIM_ALONE bool list_inside(struct lim_mesh_leaf *leaf)
 {
-    return list_plain(leaf, true, false);
+    return list_plain(leaf, LIM_VIEW_INSIDE, false);
 }
 
 /* A place in the order of drawing. Of two that are as near as each other the first one of the run is on top. */
@@ -218,14 +269,15 @@ enum { PLACE_BITS = 48 };
 
 static bool leaf_shows(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record)
 {
-    const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
+    const lim_index i = (lim_index)(record[2] - leaf->first), j = (lim_index)(record[3] - leaf->first),
+                    k = (lim_index)(record[4] - leaf->first);
+    const uint16_t *nearness = leaf->nearness;
     const struct lim_point *points = leaf->points;
-    const lim_index first = leaf->first;
 
-    if (leaf->extent == LIM_VIEW_CLIPPED || (record[0] & LIM_POLYGON_COUNT) != 3)
-        return polygon_faces(leaf, &leaf->seen, record);
-    return triangle_shows(lim_packed_load(&points[corners[0] - first]), lim_packed_load(&points[corners[1] - first]),
-                          lim_packed_load(&points[corners[2] - first]), leaf->extent == LIM_VIEW_INSIDE,
+    if ((record[0] & LIM_POLYGON_COUNT) != 3 || !nearness[i] || !nearness[j] || !nearness[k])
+        return polygon_shows(leaf, record);
+    return triangle_shows(leaf->seen.view, lim_packed_load(&points[i]), lim_packed_load(&points[j]),
+                          lim_packed_load(&points[k]), leaf->extent == LIM_VIEW_INSIDE,
                           lim_is_antialiased(leaf->seen.view));
 }
 
@@ -233,7 +285,7 @@ static bool leaf_shows(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_ind
 static LIM_RARE bool list_between(struct lim_mesh_leaf *leaf)
 {
     leaf->used = 0;
-    for (const LIM_FLASH lim_index *record = leaf->run;; record += lim_record_words(record[0])) {
+    for (const LIM_FLASH lim_index *record = leaf->run;; record += leaf_record_words(record[0])) {
         if (leaf_shows(leaf, record)) {
             const uint16_t mean = record_nearness(leaf, &leaf->seen, record).mean;
             const uint64_t place = place_of(&leaf->seen, record, key_of(&leaf->seen, mean));
@@ -260,7 +312,7 @@ static LIM_RARE void refine_nearness(struct lim_mesh_leaf *leaf, const struct li
 {
     uint16_t seen = 0;
 
-    for (const LIM_FLASH lim_index *record = leaf->run;; record += lim_record_words(record[0])) {
+    for (const LIM_FLASH lim_index *record = leaf->run;; record += leaf_record_words(record[0])) {
         if (leaf_shows(leaf, record)) seen |= record_nearness(leaf, &leaf->seen, record).bits;
         if (record[0] & LIM_POLYGON_LAST) break;
     }
@@ -275,11 +327,10 @@ static void list_first(struct lim_mesh_leaf *leaf)
     leaf->is_partial = false;
     leaf->from = 0;
     leaf->end = UINT64_C(1) << PLACE_BITS;
-    if (leaf->extent != LIM_VIEW_CLIPPED) {
-        const bool inside = leaf->extent == LIM_VIEW_INSIDE;
-        if (!LIM_OPTIMISE_SIZE && inside && !by_samples ? list_inside(leaf) : list_plain(leaf, inside, by_samples))
-            return;
-    }
+    if (!LIM_OPTIMISE_SIZE && leaf->extent == LIM_VIEW_INSIDE && !by_samples
+            ? list_inside(leaf)
+            : list_plain(leaf, leaf->extent, by_samples))
+        return;
     list_some(leaf);
 }
 
