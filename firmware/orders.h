@@ -8,6 +8,7 @@
 
 #include "camera.h"
 #include "config.h"
+#include "meshes.h"
 #include "scene.h"
 #include "stages.h"
 #include "target.h"
@@ -15,26 +16,6 @@
 LIM_OPTIONAL_BEGIN
 
 /* Lists, and what moves ------------------------------------------------------------------------------------------- */
-
-/* A polygon of a mesh leaf that faces the eye. */
-struct lim_mesh_entry {
-    lim_index record; /* in scene->polygons */
-    uint16_t next;    /* of those that are about as near, or LIM_NONE */
-    uint16_t key;     /* what is drawn first has the lower one */
-};
-#define LIM_MESH_LEAF_LISTS(polygon_count) ((polygon_count) / 8 + 16)
-
-/* A mesh leaf that is being drawn (mesh_leaf.h). */
-struct lim_mesh_leaf {
-    struct lim_point *points; /* of its vertices, on the screen */
-    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
-    struct lim_mesh_entry *entries;
-    uint16_t *lists;            /* in the order of drawing, by nearness */
-    uint16_t list_count, list;  /* list: the one that is being drawn */
-    uint16_t used;              /* entries */
-    lim_index first;            /* its first vertex */
-    uint8_t near_shift, extent; /* as struct lim_mesh has them */
-};
 
 /* An instance as this frame has it. */
 struct lim_mover {
@@ -303,129 +284,6 @@ struct lim_convex {
     uint16_t farthest;
     uint16_t first;                                          /* of the faces that cross the current line, or LIM_NONE */
     LIM_OPTIONAL(struct lim_piece_look, look, LIM_HAS_FILL); /* of the current line */
-};
-
-/* Where a triangle comes among those that cross a line: what is painted first is lower. Its distance in the upper bits,
- * and its number, so that no two are equal and every pool makes the same picture. */
-#if LIM_HAS_WIDE
-typedef uint64_t lim_mesh_rank;
-#else
-typedef uint32_t lim_mesh_rank;
-#endif
-
-/* A triangle's nearness, 1 / z, as a plane over the screen; modulo 2^32, which matters nowhere within it. */
-struct lim_mesh_depth {
-    uint32_t at_q16;       /* of the current line's first pixel */
-    uint32_t x_q16, y_q16; /* what a pixel to the right, and a line down, adds */
-    uint16_t turn;         /* the line on which an edge ends: that of the entry is the next line, always */
-    uint8_t goes_on;       /* what the entry's was */
-};
-
-/* Where a boundary is on the current line, and what a line adds: what is stepped of a struct lim_edge. */
-#if LIM_8_BIT
-struct lim_mesh_edge {
-    struct lim_edge whole;
-};
-#else
-struct lim_mesh_edge {
-    lim_edge_at at, step;
-};
-#endif
-
-/* Of a triangle over which texels do not advance evenly. */
-union lim_mesh_gradients {
-    struct lim_gradients gradients;
-    union lim_mesh_gradients *next; /* of those that are free */
-};
-
-/* What a triangle shows, where the scene has textures: texels that advance evenly; or what level.w_bits says instead of
- * a level. */
-struct lim_mesh_look {
-    struct lim_texture_level level;
-    __extension__ union {                    /* C++ wants names for both */
-        struct lim_texture_even even;        /* of pixel (0, -1): a line knows the number of the one below */
-        union lim_mesh_gradients *gradients; /* NULL: there was no room, they are made for each line */
-    };
-};
-
-enum lim_mesh_shown {
-    LIM_MESH_LEVELS = 11, /* below: the width of a level */
-    LIM_MESH_COLOUR = LIM_MESH_LEVELS,
-    LIM_MESH_PERSPECTIVE,
-    LIM_MESH_UNSET_CLIPPED, /* it has shown no pixel so far */
-    LIM_MESH_UNSET          /* the same of one that is not clipped */
-};
-
-/* Room for gradients, at the end of the pool. */
-struct lim_mesh_looks {
-    union lim_mesh_gradients *free;
-    uint16_t whole_size; /* of the pool; what lim_mesh.pool_size is less has become theirs */
-    uint8_t first;       /* what triangles show at first: LIM_MESH_UNSET, or LIM_MESH_COLOUR in scenes of colours */
-    lim_index mask;      /* lim_triangle_texture_mask() */
-    uint32_t even;       /* nearness at a quarter of a unit, times 3/2: as lim_mesh_rank_of() has it */
-};
-
-/* A triangle that crosses the current line. */
-struct lim_mesh_active {
-    struct lim_mesh_active *next;
-    struct lim_mesh_edge edges[2]; /* left, right */
-    struct lim_mesh_edge lower; /* if `goes_on`: what follows the upper one of two edges, on the line where it does */
-    lim_mesh_rank rank;
-    uint16_t turn;   /* the line on which an edge ends */
-    uint16_t bottom; /* the line below its last */
-    uint16_t colour; /* as it lies in memory */
-    uint8_t goes_on; /* enum lim_mesh_turn */
-    uint8_t part;    /* of the fan of triangles that stands for what clipping made non-monotone; 0: there is none */
-    LIM_OPTIONAL(struct lim_mesh_depth, depth, LIM_HAS_MESH_DEPTH);
-    LIM_OPTIONAL(struct lim_mesh_look, look, LIM_HAS_TEXTURE);
-    LIM_OPTIONAL(bool, seen, LIM_HAS_STATS); /* it has painted a pixel */
-};
-
-/* How it goes on where an edge ends. */
-enum lim_mesh_turn {
-    LIM_MESH_LEFT,  /* `lower` takes the left edge's place */
-    LIM_MESH_RIGHT, /* or the right one's */
-    LIM_MESH_ANEW,  /* edges are found anew: it was clipped, or is long */
-    LIM_MESH_DEEP   /* it has depth: its edges have changed places, so that it has no pixels but by its depth */
-};
-
-/* A line that is painted: pixels x0 <= x < x1, of memory that begins at x = 0. */
-struct lim_mesh_line {
-    uint16_t *pixels;
-    uint16_t x0, x1, y;
-};
-
-/* A line of depths. */
-struct lim_mesh_depths {
-    uint16_t *line; /* the nearness that is painted, of what has depth */
-    uint16_t y;     /* whose line it is; LIM_NONE: of none */
-    lim_index from; /* triangles from this one on have depth */
-};
-
-/* Triangles that cross the line, and have no room in the pool: from far to near, linked by their numbers. */
-struct lim_mesh_crowd {
-    lim_index first, last; /* LIM_NO_INDEX: there are none */
-    lim_mesh_rank rank;    /* of the last one */
-};
-
-struct lim_mesh {
-    struct lim_pass *pass;
-    struct lim_point *points; /* of all vertices, on the screen */
-    uint16_t *nearness; /* of all vertices: 1 / z, at least 1; 0: before the near plane or beyond the guard band */
-    lim_index *links;   /* from a triangle to the next one that begins on the same line, or of the crowd */
-    lim_index *tops;    /* for each line the first that begins there, or LIM_NO_INDEX */
-    struct lim_mesh_active *pool, *free;
-    struct lim_mesh_active *first;  /* of those that cross the line, in their order */
-    struct lim_mesh_active *begins; /* of those that begin on it, likewise */
-    struct lim_mesh_active end;     /* of all lists */
-    struct lim_mesh_crowd crowd;
-    uint16_t pool_size, unused; /* unused: entries from here on */
-    uint8_t near_shift;         /* of lim_view_all(), or lim_view_refine() */
-    uint8_t extent;             /* enum lim_view_extent */
-    uint16_t nearest;           /* where that is LIM_VIEW_CLIPPED: nearness of all that is linked, OR'ed */
-    uint32_t parts;             /* lim_bands() */
-    LIM_OPTIONAL(struct lim_mesh_depths, depths, LIM_HAS_MESH_DEPTH);
-    LIM_OPTIONAL(struct lim_mesh_looks, looks, LIM_HAS_TEXTURE);
 };
 
 /* Memory ---------------------------------------------------------------------------------------------------------- */

@@ -206,7 +206,7 @@ struct lim_limits {
     uint16_t pieces;         /* LIM_NEWELL: how often polygons are split */
     uint16_t layers;         /* pieces of transparent polygons on one line; 0: there are no such polygons */
     uint16_t leaf_vertices;  /* most vertices of any mesh leaf; 0: there is none */
-    uint16_t leaf_polygons;  /* most polygons of any, 0..32767 */
+    uint16_t leaf_polygons;  /* of a mesh leaf that are sorted at once, measured likewise: 1 or more if there is one */
 };
 
 LIM_OPTIONAL_BEGIN

@@ -101,8 +101,7 @@ struct lim_delta_stats {
     uint16_t lines_whole; /* lines that were sent whole because the last frame's, or their own, were not kept */
 };
 
-/* What a frame did; all zero when LIM_HAS_STATS is 0. Lines that nearest first leaves to the painter's order, for want
- * of memory, have no background that is counted. */
+/* What a frame did; all zero when LIM_HAS_STATS is 0. Lines that are left to the painter's order have no background. */
 struct lim_stats {
     uint32_t nodes;            /* nodes visited */
     uint32_t records;          /* records of leaves, each of which has a plane to test; mesh: all triangles */
@@ -132,9 +131,9 @@ struct lim_stats {
     struct lim_delta_stats delta;
 #endif
     uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
-    uint32_t active_max_b; /* what those take beside the memory that pass two does not need, at most */
-    uint16_t layers_max;   /* most transparent pieces of one line, nearest first */
-    uint32_t leaf_records; /* of `records`, those of mesh leaves */
+    uint32_t active_max_b;      /* what those take beside the memory that pass two does not need, at most */
+    uint16_t layers_max;        /* most transparent pieces of one line, nearest first */
+    uint32_t leaf_records, leaf_polygons_max; /* of `records`, those of mesh leaves; most of one, sorted at once */
 };
 
 /* View ------------------------------------------------------------------------------------------------------------ */
@@ -339,8 +338,8 @@ struct lim_edge_shape {
     LIM_OPTIONAL(int16_t, end_row, LIM_HAS_ANTIALIAS); /* the row of samples (samples.h) after its last, antialiased */
 };
 
-/* A boundary, in rows of samples and samples of a row, a quarter of a pixel each, from LIM_STRIP_BIAS_PX before the
- * screen on (samples.h). */
+/* A boundary, in samples of a row, a quarter of a pixel each, from LIM_STRIP_BIAS_PX before the screen on (samples.h).
+ */
 struct lim_sample_edge {
     uint32_t x_q16, step_q16; /* x: on the last row; sums may wrap */
     int16_t end;              /* the row on which it hands over to the next edge */
@@ -383,8 +382,8 @@ struct lim_line {
 /* Of the pool, bytes a gap: antialiased, a struct lim_open_strip (strips.h). */
 #define LIM_GAP_MEM_B (LIM_HAS_ANTIALIAS ? (size_t)20 : sizeof(struct lim_gap))
 
-/* By which sizes memory is counted, with LIM_HAS_STATS: this processor's, or those of another that a host simulates. In
- * bytes: an element each (a gap, 0: its own); the cache and the stack, in which polygons that cross a line lie, too. */
+/* By which sizes memory is counted, with LIM_HAS_STATS: this processor's, or another's. In bytes: an element each (a
+ * gap, 0: its own); the cache and the stack, in which polygons that cross a line lie, too. */
 struct lim_counted {
     uint32_t cell_b, gap_b, active_b, idle_b;
     uint16_t line_gaps; /* of a line that scan lines paint, antialiased */

@@ -271,8 +271,7 @@ static bool has_room_for_leaves(const struct lim_movers *movers, const struct li
     const struct lim_limits *limits = &instance->object->limits;
 
     if (!limits->leaf_polygons || lim_deforms(instance)) return true;
-    return LIM_HAS_MESH_LEAVES && limits->leaf_vertices <= *movers->leaf_vertices &&
-           limits->leaf_polygons <= *movers->leaf_polygons;
+    return LIM_HAS_MESH_LEAVES && limits->leaf_vertices <= *movers->leaf_vertices && *movers->leaf_polygons;
 }
 
 static bool is_usable(const struct lim_movers *movers, const struct lim_instance *instance)

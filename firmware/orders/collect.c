@@ -286,12 +286,11 @@ static inline enum outcome collect_fast_entry(struct lim_nearest *nearest, const
     return take(nearest, record, at, n, &shape);
 }
 
-static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const struct lim_mesh_leaf_seen *seen,
-                                       uint16_t entry)
+static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
     struct lim_screen_polygon polygon;
 
-    return !lim_mesh_leaf_project(&polygon, *nearest->leaf, seen, entry, &nearest->spans.open,
+    return !lim_mesh_leaf_project(&polygon, *nearest->leaf, record, &nearest->spans.open,
                                   lim_stats_of(nearest->pass)) ||
            lim_collect_polygon(nearest, &polygon);
 }
@@ -312,20 +311,20 @@ bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_inde
     struct lim_pass *const pass = nearest->pass;
     const struct lim_mesh_leaf_seen seen = {pass->scene, &pass->view, false};
     struct lim_mesh_leaf *const leaf = *nearest->leaf;
-    uint16_t entry;
+    const LIM_FLASH lim_index *record;
 
     if (is_hidden_leaf(nearest, run)) return true;
     lim_mesh_leaf_sort(leaf, &seen, run);
     if (LIM_HAS_STATS) {
         lim_stats_of(pass)->records += lim_mesh_leaf_words(run)[LIM_MESH_LEAF_POLYGONS];
         lim_stats_of(pass)->leaf_records += lim_mesh_leaf_words(run)[LIM_MESH_LEAF_POLYGONS];
+        if (leaf->used > lim_stats_of(pass)->leaf_polygons_max) lim_stats_of(pass)->leaf_polygons_max = leaf->used;
     }
     if (leaf->extent != LIM_VIEW_INSIDE) nearest->retained.overhangs = true;
-    while (nearest->spans.open_lines && (entry = lim_mesh_leaf_next(leaf)) != LIM_NONE) {
-        const LIM_FLASH lim_index *record = lim_mesh_leaf_record(leaf, pass->scene, entry);
+    while (nearest->spans.open_lines && (record = lim_mesh_leaf_next(leaf)) != NULL) {
         enum outcome outcome =
             !LIM_OPTIMISE_SIZE && is_for_fast_path(nearest, record) ? collect_fast_entry(nearest, record) : SLOW_PATH;
-        if (outcome == SLOW_PATH) outcome = collect_any_entry(nearest, &seen, entry) ? COLLECTED : EXHAUSTED_POOL;
+        if (outcome == SLOW_PATH) outcome = collect_any_entry(nearest, record) ? COLLECTED : EXHAUSTED_POOL;
         if (!go_on_after(nearest, outcome)) return false;
     }
     return true;

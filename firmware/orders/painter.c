@@ -192,12 +192,12 @@ static LIM_IF_CALLED int paint_mesh_leaf(struct lim_painter *painter, const LIM_
     struct lim_pass *const pass = painter->pass;
     const struct lim_mesh_leaf_seen seen = {pass->scene, &pass->view, true};
     struct lim_screen_polygon polygon;
-    uint16_t entry;
+    const LIM_FLASH lim_index *record;
     int err = 0;
 
     lim_mesh_leaf_sort(*painter->leaf, &seen, run);
-    while (!err && (entry = lim_mesh_leaf_next(*painter->leaf)) != LIM_NONE)
-        if (lim_mesh_leaf_project(&polygon, *painter->leaf, &seen, entry, screen, lim_stats_of(pass)))
+    while (!err && (record = lim_mesh_leaf_next(*painter->leaf)) != NULL)
+        if (lim_mesh_leaf_project(&polygon, *painter->leaf, record, screen, lim_stats_of(pass)))
             err = paint_any(painter, &polygon, screen);
     return err;
 }

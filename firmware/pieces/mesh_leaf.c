@@ -22,6 +22,7 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
     leaf->points = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->points);
     leaf->entries = lim_mem_cut(&at, limits->leaf_polygons * sizeof *leaf->entries);
     leaf->nearness = lim_mem_cut(&at, limits->leaf_vertices * sizeof *leaf->nearness);
+    leaf->size = limits->leaf_polygons;
     leaf->list_count = LIM_MESH_LEAF_LISTS(limits->leaf_polygons);
     leaf->lists = lim_mem_cut(&at, leaf->list_count * sizeof *leaf->lists);
 }
@@ -42,26 +43,57 @@ leaf_clip(struct lim_clip_polygon places[2], const struct lim_mesh_leaf_seen *se
     return lim_clip(places, seen->view->rows.near_qv);
 }
 
-static LIM_RARE bool clipped_faces(const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record)
+/* Of a coordinate: a line, or a column, of the screen or beside it. */
+static inline int32_t leaf_row(int32_t at)
+{
+    return lim_edge_row((lim_edge_sub)at) + LIM_ORIGIN_PX;
+}
+
+/* Where a vertex lies outside of the screen, as VIEW says it: by its code, or by its point. */
+static uint_fast8_t leaf_codes(const struct lim_mesh_leaf *leaf, lim_index vertex)
+{
+    const struct lim_point at = leaf->points[vertex - leaf->first];
+
+    if (!leaf->nearness[vertex - leaf->first]) return (uint_fast8_t)at.x;
+    const int32_t x = leaf_row(at.x), y = leaf_row(at.y);
+    return (uint_fast8_t)((x <= 0                           ? LIM_VIEW_LEFT
+                           : x >= leaf->seen.view->width.px ? LIM_VIEW_RIGHT
+                                                            : 0) |
+                          (y <= 0                            ? LIM_VIEW_TOP
+                           : y >= leaf->seen.view->height.px ? LIM_VIEW_BOTTOM
+                                                             : 0));
+}
+
+/* Most of what would have to be clipped lies behind the eye, or beside the screen. */
+static bool is_outside(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record)
+{
+    uint_fast8_t codes = LIM_VIEW_OUTSIDE;
+
+    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++)
+        codes &= leaf_codes(leaf, record[LIM_POLYGON_HEAD_WORDS + k]);
+    return codes;
+}
+
+static LIM_RARE bool clipped_shows(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record)
 {
     struct lim_clip_polygon places[2];
     struct lim_point at[CLIP_MAX_VERTICES];
-    const struct lim_clip_polygon *clipped = leaf_clip(places, seen, record);
 
+    if (is_outside(leaf, record)) return false;
+    const struct lim_clip_polygon *clipped = leaf_clip(places, &leaf->seen, record);
     for (uint_fast8_t k = 0; k < clipped->n; k++)
-        lim_view_project(seen->view, &clipped->at[k], &at[k]);
+        lim_view_project(leaf->seen.view, &clipped->at[k], &at[k]);
     return clipped->n && lim_edge_area(at, clipped->n) < 0;
 }
 
 /* Of more corners than three, or perhaps to be clipped. */
-static LIM_RARE bool polygon_faces(const struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                   const LIM_FLASH lim_index *record)
+static LIM_RARE bool polygon_shows(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record)
 {
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
     struct lim_point at[LIM_MAX_VERTICES];
 
     LIM_DEBUG_ASSERT(n <= LIM_MAX_VERTICES);
-    return lim_mesh_leaf_corners(leaf, record, n, at) ? lim_edge_area(at, n) < 0 : clipped_faces(seen, record);
+    return lim_mesh_leaf_corners(leaf, record, n, at) ? lim_edge_area(at, n) < 0 : clipped_shows(leaf, record);
 }
 
 static inline int32_t leaf_least(int32_t a, int32_t b, int32_t c)
@@ -78,22 +110,25 @@ static inline int32_t leaf_most(int32_t a, int32_t b, int32_t c)
     return ab > c ? ab : c;
 }
 
-/* Whether there is the centre of a line, and of a column, between the corners: far away most triangles have none. */
-static inline bool has_centres(lim_packed a, lim_packed b, lim_packed c)
+/* Whether centres lie from one coordinate to before another, on the screen; `inside`: both are on it. */
+static inline bool has_centre(int32_t from, int32_t to, int32_t side_px, bool inside)
 {
-    const int32_t top = lim_packed_least_y(a, b, c), bottom = lim_packed_most_y(a, b, c);
-    const int32_t ax = lim_packed_x(a), bx = lim_packed_x(b), cx = lim_packed_x(c);
+    const int32_t first = leaf_row(from), end = leaf_row(to);
 
-    return lim_edge_row((lim_edge_sub)top) != lim_edge_row((lim_edge_sub)bottom) &&
-           lim_edge_row((lim_edge_sub)leaf_least(ax, bx, cx)) != lim_edge_row((lim_edge_sub)leaf_most(ax, bx, cx));
+    return first != end && (inside || (end > 0 && first < side_px));
 }
 
-/* Of a triangle that is not clipped: it faces the eye, and may have pixels. */
-static inline bool triangle_shows(lim_packed a, lim_packed b, lim_packed c, bool inside, bool by_samples)
+/* Of a triangle that is not clipped: it faces the eye, and there is the centre of a line, and of a column, between its
+ * corners. Far away most triangles have none. */
+static inline bool triangle_shows(const struct lim_view *view, lim_packed a, lim_packed b, lim_packed c, bool inside,
+                                  bool by_samples)
 {
     const bool faces = inside && !LIM_WIDE ? lim_packed_turns(a, b, c) : lim_packed_turns_far(a, b, c);
 
-    return faces && (by_samples || has_centres(a, b, c));
+    if (!faces || by_samples) return faces;
+    const int32_t ax = lim_packed_x(a), bx = lim_packed_x(b), cx = lim_packed_x(c);
+    return has_centre(lim_packed_least_y(a, b, c), lim_packed_most_y(a, b, c), view->height.px, inside) &&
+           has_centre(leaf_least(ax, bx, cx), leaf_most(ax, bx, cx), view->width.px, inside);
 }
 
 /* Nearness of its corners -------------------------------------------------------------------------------------------
@@ -152,94 +187,169 @@ static LIM_RARE struct leaf_nearness record_nearness(const struct lim_mesh_leaf 
     return nearness_of_sum(sum, bits, n);
 }
 
-/* Lists -------------------------------------------------------------------------------------------------------------
- */
+/* Lists ------------------------------------------------------------------------------------------------------------ */
 
-/* Entries in the order of the run, with twice the mean nearness for a key. */
-static LIM_INLINE void list_plain(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                  const LIM_FLASH lim_index *record, bool inside, bool by_samples)
+/* What is drawn first has the lower key. */
+static inline uint16_t key_of(const struct lim_mesh_leaf_seen *seen, uint32_t mean)
 {
-    const LIM_FLASH lim_index *const polygons = seen->scene->polygons;
+    return (uint16_t)(seen->back_to_front ? mean : KEY_MOST - mean);
+}
+
+static inline void add_entry_at(struct lim_mesh_entry *entry, const struct lim_mesh_leaf_seen *seen,
+                                const LIM_FLASH lim_index *record, uint32_t mean)
+{
+    entry->record = (lim_index)(record - seen->scene->polygons);
+    entry->key = key_of(seen, mean);
+}
+
+/* Whether a polygon shows, and then the mean nearness of its corners. */
+static LIM_RARE bool polygon_mean(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record, uint32_t *mean)
+{
+    if (!polygon_shows(leaf, record)) return false;
+    *mean = record_nearness(leaf, &leaf->seen, record).mean;
+    return true;
+}
+
+/* Words of a record, which has no plane, no alpha and no flags of edges. */
+static inline size_t leaf_record_words(lim_index head)
+{
+    return lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_MESH | LIM_POLYGON_TEXTURE));
+}
+
+/* All that show, in the order of the run. false: there is no room. */
+static LIM_INLINE bool list_plain(struct lim_mesh_leaf *leaf, uint8_t extent, bool by_samples)
+{
+    const struct lim_mesh_leaf_seen seen = leaf->seen;
     const struct lim_point *const points = leaf->points;
     const uint16_t *const nearness = leaf->nearness;
-    const lim_index first = leaf->first;
-    struct lim_mesh_entry *entry = leaf->entries;
+    const lim_index vertex = leaf->first;
+    const LIM_FLASH lim_index *record = leaf->run;
+    struct lim_mesh_entry *entry = leaf->entries, *const end = entry + leaf->size;
 
     for (;;) {
         const lim_index head = record[0];
-        if (LIM_UNLIKELY((head & LIM_POLYGON_COUNT) != 3)) {
-            if (polygon_faces(leaf, seen, record)) {
-                entry->record = (lim_index)(record - polygons);
-                entry++->key = record_nearness(leaf, seen, record).mean;
-            }
+        const lim_index i = (lim_index)(record[2] - vertex), j = (lim_index)(record[3] - vertex),
+                        k = (lim_index)(record[4] - vertex);
+        const bool is_plain = (head & LIM_POLYGON_COUNT) == 3 &&
+                              (extent != LIM_VIEW_CLIPPED || (nearness[i] && nearness[j] && nearness[k]));
+        uint32_t mean;
+        bool shows;
+        if (LIM_UNLIKELY(!is_plain)) {
+            shows = polygon_mean(leaf, record, &mean);
         } else {
-            const lim_index i = (lim_index)(record[2] - first), j = (lim_index)(record[3] - first),
-                            k = (lim_index)(record[4] - first);
-            if (triangle_shows(lim_packed_load(&points[i]), lim_packed_load(&points[j]), lim_packed_load(&points[k]),
-                               inside, by_samples)) {
-                const uint32_t mean = mean_of_three((uint32_t)nearness[i] + nearness[j] + nearness[k]);
-                entry->record = (lim_index)(record - polygons);
-                entry++->key = (uint16_t)mean;
-            }
+            shows = triangle_shows(seen.view, lim_packed_load(&points[i]), lim_packed_load(&points[j]),
+                                   lim_packed_load(&points[k]), extent == LIM_VIEW_INSIDE, by_samples);
+            if (shows) mean = mean_of_three((uint32_t)nearness[i] + nearness[j] + nearness[k]);
+        }
+        if (shows) {
+            if (entry == end) return false;
+            add_entry_at(entry++, &seen, record, mean);
         }
         if (head & LIM_POLYGON_LAST) break;
-        record += lim_record_words(head);
+        record += leaf_record_words(head);
     }
     leaf->used = (uint16_t)(entry - leaf->entries);
+    return true;
 }
 
-static LIM_ALONE void list_inside(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                  const LIM_FLASH lim_index *run)
+static LIM_ALONE bool list_inside(struct lim_mesh_leaf *leaf)
 {
-    list_plain(leaf, seen, run, true, false);
+    return list_plain(leaf, LIM_VIEW_INSIDE, false);
 }
 
-/* The same where some may have to be clipped: keys wait until nearness is as fine as it gets. */
-static LIM_RARE void list_clipped(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
-                                  const LIM_FLASH lim_index *record, const struct lim_view_part *part)
+/* A place in the order of drawing. Of two that are as near as each other the first one of the run is on top. */
+static uint64_t place_of(const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record, uint16_t key)
 {
-    uint16_t nearest = 0;
+    const uint32_t at = (uint32_t)(record - seen->scene->polygons);
 
+    return (uint64_t)key << 32 | (seen->back_to_front ? UINT32_MAX - at : at);
+}
+
+enum { PLACE_BITS = 48 };
+
+static bool leaf_shows(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record)
+{
+    const lim_index i = (lim_index)(record[2] - leaf->first), j = (lim_index)(record[3] - leaf->first),
+                    k = (lim_index)(record[4] - leaf->first);
+    const uint16_t *nearness = leaf->nearness;
+    const struct lim_point *points = leaf->points;
+
+    if ((record[0] & LIM_POLYGON_COUNT) != 3 || !nearness[i] || !nearness[j] || !nearness[k])
+        return polygon_shows(leaf, record);
+    return triangle_shows(leaf->seen.view, lim_packed_load(&points[i]), lim_packed_load(&points[j]),
+                          lim_packed_load(&points[k]), leaf->extent == LIM_VIEW_INSIDE,
+                          lim_is_antialiased(leaf->seen.view));
+}
+
+/* Those whose places are from leaf->from to before leaf->end, as many as there are. false: there is no room. */
+static LIM_RARE bool list_between(struct lim_mesh_leaf *leaf)
+{
     leaf->used = 0;
-    for (;; record += lim_record_words(record[0])) {
-        if (polygon_faces(leaf, seen, record)) {
-            leaf->entries[leaf->used++].record = (lim_index)(record - seen->scene->polygons);
-            nearest |= record_nearness(leaf, seen, record).bits;
+    for (const LIM_FLASH lim_index *record = leaf->run;; record += leaf_record_words(record[0])) {
+        if (leaf_shows(leaf, record)) {
+            const uint16_t mean = record_nearness(leaf, &leaf->seen, record).mean;
+            const uint64_t place = place_of(&leaf->seen, record, key_of(&leaf->seen, mean));
+            if (place >= leaf->from && place < leaf->end) {
+                if (leaf->used == leaf->size) return false;
+                add_entry_at(&leaf->entries[leaf->used++], &leaf->seen, record, mean);
+            }
         }
+        if (record[0] & LIM_POLYGON_LAST) return true;
+    }
+}
+
+/* From leaf->from on as many as there is room for: parts of the order are halved until one fits. */
+static LIM_RARE void list_some(struct lim_mesh_leaf *leaf)
+{
+    while (!list_between(leaf)) {
+        leaf->end = leaf->from + (leaf->end - leaf->from) / 2;
+        leaf->is_partial = true;
+    }
+}
+
+/* Nearness as fine as it gets, before keys are made of it. */
+static LIM_RARE void refine_nearness(struct lim_mesh_leaf *leaf, const struct lim_view_part *part)
+{
+    uint16_t seen = 0;
+
+    for (const LIM_FLASH lim_index *record = leaf->run;; record += leaf_record_words(record[0])) {
+        if (leaf_shows(leaf, record)) seen |= record_nearness(leaf, &leaf->seen, record).bits;
         if (record[0] & LIM_POLYGON_LAST) break;
     }
-    lim_view_refine(seen->view, seen->scene, part, nearest, leaf->nearness, &leaf->near_shift);
-    for (uint16_t i = 0; i < leaf->used; i++)
-        leaf->entries[i].key = record_nearness(leaf, seen, &seen->scene->polygons[leaf->entries[i].record]).mean;
+    lim_view_refine(leaf->seen.view, leaf->seen.scene, part, seen, leaf->nearness, &leaf->near_shift);
 }
 
-static void leaf_list(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *run,
-                      const struct lim_view_part *part)
+/* All of them, if there is room. */
+static void list_first(struct lim_mesh_leaf *leaf)
 {
-    const bool by_samples = lim_is_antialiased(seen->view);
+    const bool by_samples = lim_is_antialiased(leaf->seen.view);
 
-    if (leaf->extent == LIM_VIEW_CLIPPED)
-        list_clipped(leaf, seen, run, part);
-    else if (!LIM_OPTIMISE_SIZE && leaf->extent == LIM_VIEW_INSIDE && !by_samples)
-        list_inside(leaf, seen, run);
-    else
-        list_plain(leaf, seen, run, leaf->extent == LIM_VIEW_INSIDE, by_samples);
+    leaf->is_partial = false;
+    leaf->from = 0;
+    leaf->end = UINT64_C(1) << PLACE_BITS;
+    if (!LIM_OPTIMISE_SIZE && leaf->extent == LIM_VIEW_INSIDE && !by_samples
+            ? list_inside(leaf)
+            : list_plain(leaf, leaf->extent, by_samples))
+        return;
+    list_some(leaf);
 }
 
-/* Keys in the order of drawing, from 0 on. Returns how many bits they are too long by for the number of a list. */
-static uint8_t turn_keys(struct lim_mesh_leaf *leaf, bool back_to_front)
+/* Sorting ---------------------------------------------------------------------------------------------------------- */
+
+/* Makes keys begin at 0. Returns how many bits they are too long by for the number of a list. */
+static uint8_t lower_keys(struct lim_mesh_leaf *leaf)
 {
     const struct lim_mesh_entry *const end = leaf->entries + leaf->used;
     uint16_t least = KEY_MOST, most = 0;
+    uint8_t shift = 0;
 
-    for (struct lim_mesh_entry *entry = leaf->entries; entry < end; entry++) {
+    for (const struct lim_mesh_entry *entry = leaf->entries; entry < end; entry++) {
         if (entry->key < least) least = entry->key;
         if (entry->key > most) most = entry->key;
     }
     for (struct lim_mesh_entry *entry = leaf->entries; entry < end; entry++)
-        entry->key = (uint16_t)(back_to_front ? entry->key - least : most - entry->key);
+        entry->key = (uint16_t)(entry->key - least);
     const uint32_t range = leaf->used ? (uint32_t)(most - least) : 0;
-    uint8_t shift = 0;
     while (range >> shift >= leaf->list_count)
         shift++;
     return shift;
@@ -256,15 +366,17 @@ static inline void leaf_insert(struct lim_mesh_leaf *leaf, uint16_t at, uint16_t
     *link = at;
 }
 
-/* Of two that are as near as each other the first one of the run is on top. */
-static void fill_lists(struct lim_mesh_leaf *leaf, bool back_to_front, uint8_t shift)
+static void fill_lists(struct lim_mesh_leaf *leaf)
 {
+    const uint8_t shift = lower_keys(leaf);
+
     for (uint_fast16_t i = 0; i < leaf->list_count; i++)
         leaf->lists[i] = LIM_NONE;
     for (uint16_t i = 0; i < leaf->used; i++) {
-        const uint16_t at = (uint16_t)(back_to_front ? i : leaf->used - 1 - i);
+        const uint16_t at = (uint16_t)(leaf->seen.back_to_front ? i : leaf->used - 1 - i);
         leaf_insert(leaf, at, &leaf->lists[leaf->entries[at].key >> shift]);
     }
+    leaf->list = 0;
 }
 
 void lim_mesh_leaf_sort(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
@@ -274,15 +386,17 @@ void lim_mesh_leaf_sort(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_s
     const struct lim_view_part part = {words[LIM_MESH_LEAF_FIRST], words[LIM_MESH_LEAF_COUNT],
                                        words[LIM_MESH_LEAF_BOX]};
 
+    leaf->seen = *seen;
+    leaf->run = run;
     leaf->first = part.first;
     leaf->extent =
         (uint8_t)lim_view_all(seen->view, seen->scene, &part, leaf->points, leaf->nearness, &leaf->near_shift);
-    leaf_list(leaf, seen, run, &part);
-    fill_lists(leaf, seen->back_to_front, turn_keys(leaf, seen->back_to_front));
-    leaf->list = 0;
+    if (leaf->extent == LIM_VIEW_CLIPPED) refine_nearness(leaf, &part);
+    list_first(leaf);
+    fill_lists(leaf);
 }
 
-uint16_t lim_mesh_leaf_next(struct lim_mesh_leaf *leaf)
+static uint16_t next_entry(struct lim_mesh_leaf *leaf)
 {
     for (; leaf->list < leaf->list_count; leaf->list++) {
         const uint16_t entry = leaf->lists[leaf->list];
@@ -293,11 +407,32 @@ uint16_t lim_mesh_leaf_next(struct lim_mesh_leaf *leaf)
     return LIM_NONE;
 }
 
-bool lim_mesh_leaf_project(struct lim_screen_polygon *out, const struct lim_mesh_leaf *leaf,
-                           const struct lim_mesh_leaf_seen *seen, uint16_t entry, const struct lim_rect *open,
-                           struct lim_stats *stats)
+/* The next part of the order, twice as much of it. false: there is none. */
+static LIM_RARE bool go_to_next_part(struct lim_mesh_leaf *leaf)
 {
-    const LIM_FLASH lim_index *record = lim_mesh_leaf_record(leaf, seen->scene, entry);
+    const uint64_t length = leaf->end - leaf->from, last = UINT64_C(1) << PLACE_BITS;
+
+    if (!leaf->is_partial || leaf->end == last) return false;
+    leaf->from = leaf->end;
+    leaf->end = last - leaf->from < 2 * length ? last : leaf->from + 2 * length;
+    list_some(leaf);
+    fill_lists(leaf);
+    return true;
+}
+
+const LIM_FLASH lim_index *lim_mesh_leaf_next(struct lim_mesh_leaf *leaf)
+{
+    for (;;) {
+        const uint16_t entry = next_entry(leaf);
+        if (entry != LIM_NONE) return &leaf->seen.scene->polygons[leaf->entries[entry].record];
+        if (!go_to_next_part(leaf)) return NULL;
+    }
+}
+
+bool lim_mesh_leaf_project(struct lim_screen_polygon *out, const struct lim_mesh_leaf *leaf,
+                           const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats)
+{
+    const struct lim_mesh_leaf_seen *seen = &leaf->seen;
 
     if (!lim_mesh_leaf_corners(leaf, record, (uint8_t)(record[0] & LIM_POLYGON_COUNT), out->at))
         return lim_project(out, seen->view, seen->scene, record, open, stats);

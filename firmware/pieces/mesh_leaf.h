@@ -17,26 +17,13 @@ static inline size_t lim_mesh_leaf_mem_b(const struct lim_limits *limits)
 
 void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_limits *limits);
 
-/* Where a leaf is, and how it is seen. */
-struct lim_mesh_leaf_seen {
-    const struct lim_scene *scene;
-    struct lim_view *view;
-    bool back_to_front;
-};
-
-/* Sorts the leaf whose run begins with this record. There is room for it. */
+/* Sorts the leaf whose run begins with this record; `seen` is copied. Where entries are too few for all that faces the
+ * eye, it is sorted in parts, while it is drawn: dearer, and the same order. */
 void lim_mesh_leaf_sort(struct lim_mesh_leaf *leaf, const struct lim_mesh_leaf_seen *seen,
                         const LIM_FLASH lim_index *run);
 
-/* The next in the order of drawing, or LIM_NONE. */
-uint16_t lim_mesh_leaf_next(struct lim_mesh_leaf *leaf);
-
-/* An entry's record. */
-static inline const LIM_FLASH lim_index *lim_mesh_leaf_record(const struct lim_mesh_leaf *leaf,
-                                                              const struct lim_scene *scene, uint16_t entry)
-{
-    return &scene->polygons[leaf->entries[entry].record];
-}
+/* The record that is next in the order of drawing, or NULL. */
+const LIM_FLASH lim_index *lim_mesh_leaf_next(struct lim_mesh_leaf *leaf);
 
 /* A record's n corners on the screen. false: some of it has to be clipped, or may have to be; lim_project() can tell.
  */
@@ -53,9 +40,8 @@ static inline bool lim_mesh_leaf_corners(const struct lim_mesh_leaf *leaf, const
     return true;
 }
 
-/* An entry's polygon, as lim_project() has it. false: nothing of it can be inside `open`. */
+/* A record's polygon, as lim_project() has it. false: nothing of it can be inside `open`. */
 bool lim_mesh_leaf_project(struct lim_screen_polygon *out, const struct lim_mesh_leaf *leaf,
-                           const struct lim_mesh_leaf_seen *seen, uint16_t entry, const struct lim_rect *open,
-                           struct lim_stats *stats);
+                           const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats);
 
 #endif

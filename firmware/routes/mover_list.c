@@ -89,11 +89,12 @@ static LIM_IF_CALLED bool add_mesh_leaf(struct lim_sorter *sorter, struct lim_qu
 {
     const struct lim_mesh_leaf_seen seen = {route->scene, lim_mover_view(sorter->movers, mover), false};
     struct lim_mesh_leaf *const leaf = sorter->movers->leaf;
-    uint16_t at;
+    const LIM_FLASH lim_index *record;
 
     lim_mesh_leaf_sort(leaf, &seen, &route->scene->polygons[run]);
-    while ((at = lim_mesh_leaf_next(leaf)) != LIM_NONE)
-        if (!add_entry(sorter, queue, leaf->entries[at].record, mover, route->node, true)) return false;
+    while ((record = lim_mesh_leaf_next(leaf)) != NULL)
+        if (!add_entry(sorter, queue, (lim_index)(record - route->scene->polygons), mover, route->node, true))
+            return false;
     return true;
 }
 

@@ -282,13 +282,11 @@ static LIM_IF_CALLED int draw_mesh_leaf(struct lim_sorter *sorter, const struct 
     struct lim_mesh_leaf *const leaf = sorter->movers->leaf;
     struct face face = {.mover = mover, .eye_in_front = true};
     struct lim_screen_polygon polygon;
-    uint16_t entry;
     int err = 0;
 
     lim_mesh_leaf_sort(leaf, &seen, run);
-    while (!err && (entry = lim_mesh_leaf_next(leaf)) != LIM_NONE) {
-        if (!lim_mesh_leaf_project(&polygon, leaf, &seen, entry, open, lim_stats_of(sorter->pass))) continue;
-        face.record = lim_mesh_leaf_record(leaf, route->scene, entry);
+    while (!err && (face.record = lim_mesh_leaf_next(leaf)) != NULL) {
+        if (!lim_mesh_leaf_project(&polygon, leaf, face.record, open, lim_stats_of(sorter->pass))) continue;
         light_face(sorter, &polygon, &face);
         err = draw(ctx, LIM_NONE, &polygon, open);
     }

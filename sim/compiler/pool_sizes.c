@@ -40,7 +40,7 @@ enum { SHARED_UNIT_B = 4, SHARED_MARGIN = 32, FEW_GREEDY = 50 };
 /* What each camera used of each pool. */
 struct usage {
     size_t cameras, strays; /* of the greediest, as many are left out */
-    uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS];
+    uint16_t cells[CAMERAS], gaps[CAMERAS], active[CAMERAS], layers[CAMERAS], runs[CAMERAS], leaf_polygons[CAMERAS];
     uint16_t shared[CAMERAS];           /* of the memory that the first three share, in SHARED_UNIT_B */
     struct counted_memory memory;       /* what it is counted by */
     bool closes_none;                   /* by scan lines, not antialiased: no gaps but one */
@@ -50,6 +50,8 @@ struct usage {
     uint32_t splits_max, entries_max;   /* strays included: without room for a piece the picture may be wrong */
     struct pool_search_result searched; /* what options.worst asks for; else nothing was tried */
 };
+
+enum { LEAST_LEAF = 32 }; /* polygons of a mesh leaf: with fewer it is looked through again and again */
 
 static uint16_t with_margin(uint16_t used, uint16_t least)
 {
@@ -94,6 +96,7 @@ static void note(struct usage *usage, const struct simulator *simulator)
     usage->splits += stats->newell.splits;
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
+    usage->leaf_polygons[i] = within(stats->leaf_polygons_max);
     if (stats->movers.entries > usage->entries_max) usage->entries_max = stats->movers.entries;
 }
 
@@ -325,6 +328,9 @@ static void raise_limits(struct compiled *roomy, struct moving *moving, struct u
         roomy->report.delta_runs = greater(roomy->report.delta_runs, with_margin(most(usage, usage->runs), 1));
     if (roomy->scene.limits.layers)
         limits->layers = greater(limits->layers, with_margin(most(usage, usage->layers), 1));
+    if (roomy->scene.limits.leaf_polygons)
+        limits->leaf_polygons =
+            greater(limits->leaf_polygons, with_margin(most(usage, usage->leaf_polygons), LEAST_LEAF));
     if (moving) usage->splits_max = usage->entries_max;
     if (moving && pieces_for(usage) < moving->limits.entries)
         moving->limits.entries = greater(pieces_for(usage), moving->limits.instances);
@@ -351,6 +357,7 @@ static struct compiled roomy_of(const struct compiled *scene, uint32_t active)
     roomy.scene.limits.retained_cells = roomy.scene.limits.gaps = PLENTY;
     roomy.scene.limits.active = (uint16_t)(active < MOST_RETAINED ? active : MOST_RETAINED);
     roomy.scene.limits.pieces = PLENTY_OF_PIECES;
+    if (roomy.scene.limits.leaf_polygons) roomy.scene.limits.leaf_polygons = LIM_SORTED_MAX;
     roomy.scene.limits.layers = records_with(&scene->scene, LIM_POLYGON_ALPHA) ? PLENTY : 0;
     return roomy;
 }
@@ -430,10 +437,8 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     scene->report.h_px = h_px;
     if (lim_scene_is_mesh(&scene->scene)) return measure_mesh(scene, core, err);
     const struct lim_limits *known = &scene->scene.limits;
-    struct lim_limits limits = {.depth = known->depth,
-                                .vertices = known->vertices,
-                                .leaf_vertices = known->leaf_vertices,
-                                .leaf_polygons = known->leaf_polygons};
+    struct lim_limits limits = {
+        .depth = known->depth, .vertices = known->vertices, .leaf_vertices = known->leaf_vertices};
     const enum lim_method method = method_sorts(scene->report.draws) ? scene->report.draws : LIM_NEAREST_FIRST;
     const uint32_t cut = method == LIM_NEWELL ? PLENTY_OF_PIECES : 0; /* all others are active once at most */
     struct compiled roomy = roomy_of(scene, scene->scene.polygon_count + cut);

@@ -50,12 +50,12 @@ bool lim_check_mesh_leaf(const struct lim_scene *scene, size_t node, struct erro
     const lim_index *words = lim_mesh_leaf_words(&scene->polygons[scene->nodes[node].front_run]);
     const struct range range = {words[LIM_MESH_LEAF_FIRST], words[LIM_MESH_LEAF_COUNT]};
     const lim_index polygons = words[LIM_MESH_LEAF_POLYGONS], box = words[LIM_MESH_LEAF_BOX];
-    if (scene->limits.leaf_polygons > POLYGONS_MAX)
-        return error_set(err, "limit of %u polygons a mesh leaf, %d are the most",
+    if (scene->limits.leaf_polygons < 1 || scene->limits.leaf_polygons > POLYGONS_MAX)
+        return error_set(err, "limit of %u polygons of a mesh leaf, 1 to %d may be sorted at once",
                          (unsigned)scene->limits.leaf_polygons, POLYGONS_MAX);
-    if (polygons < 1 || polygons > scene->limits.leaf_polygons)
-        return error_set(err, "node %zu: a mesh leaf of %lu polygons, the limit is %u", node, (unsigned long)polygons,
-                         (unsigned)scene->limits.leaf_polygons);
+    if (polygons < 1 || polygons > POLYGONS_MAX)
+        return error_set(err, "node %zu: a mesh leaf of %lu polygons, %d are the most", node, (unsigned long)polygons,
+                         POLYGONS_MAX);
     if (box == LIM_NO_INDEX || box != scene->nodes[node].box)
         return error_set(err, "node %zu: a mesh leaf whose box is not the node's", node);
     return check_range(scene, node, range, err) && check_records(scene, node, range, polygons, err);

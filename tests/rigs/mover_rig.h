@@ -20,6 +20,7 @@ struct mover_rig {
     struct reference reference;
     struct compare_counts counts; /* of all views so far */
     enum tree_kind tree;          /* of what stands still */
+    enum mesh_leaves mesh_leaves;
     size_t still;                 /* faces that belong to something already */
 };
 

@@ -50,7 +50,8 @@ static size_t add_record(lim_index *to, const lim_index *triangle, bool is_first
     return RECORD_WORDS + (is_first ? LIM_POLYGON_MESH_WORDS : 0);
 }
 
-static void make_leaf(void)
+/* Room for all of its polygons, or some. */
+static void make_leaf(struct random *random)
 {
     size_t used = 0;
 
@@ -67,13 +68,15 @@ static void make_leaf(void)
     leaf.soup.scene.node_count = 1;
     leaf.soup.scene.polygons = leaf.words;
     leaf.soup.scene.polygon_words = (lim_index)used;
-    leaf.soup.scene.limits = (struct lim_limits){.depth = 1,
-                                                 .vertices = 3,
-                                                 .retained_cells = (uint16_t)(8 * soup.scene.polygon_count + 8),
-                                                 .gaps = 2000,
-                                                 .active = (uint16_t)soup.scene.polygon_count,
-                                                 .leaf_vertices = (uint16_t)soup.scene.vertex_count,
-                                                 .leaf_polygons = (uint16_t)soup.scene.polygon_count};
+    leaf.soup.scene.limits = (struct lim_limits){
+        .depth = 1,
+        .vertices = 3,
+        .retained_cells = (uint16_t)(8 * soup.scene.polygon_count + 8),
+        .gaps = 2000,
+        .active = (uint16_t)soup.scene.polygon_count,
+        .leaf_vertices = (uint16_t)soup.scene.vertex_count,
+        .leaf_polygons = (uint16_t)(random_u64(random) & 1 ? soup.scene.polygon_count
+                                                           : random_in(random, 1, (int)soup.scene.polygon_count))};
 }
 
 static struct lim_camera make(struct random *random, unsigned kind)
@@ -83,7 +86,7 @@ static struct lim_camera make(struct random *random, unsigned kind)
         random_u64(random) % 4 ? radius * (1.1 + 2 * random_unit(random)) : radius * random_unit(random);
 
     soup_random(&soup, random, kind, radius);
-    make_leaf();
+    make_leaf(random);
     return soup_camera(random, kind == 6 ? 30 : distance);
 }
 
@@ -172,6 +175,7 @@ static void any_order_and_any_memory_show_the_same(void **state)
             const uint64_t seed = random.state;
             const struct lim_camera camera = make(&random, (unsigned)i % SOUP_KINDS);
             draw(found[k], LIM_PAINTER, &camera, 256, first);
+            leaf.soup.scene.limits.leaf_polygons = (uint16_t)random_in(&random, 1, (int)soup.scene.polygon_count);
             for (int part = 0; part <= 256; part += 64)
                 for (int m = 0; m < 2; m++) {
                     draw(found[k], orders[m], &camera, (unsigned)part, other);
