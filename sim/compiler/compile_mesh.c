@@ -37,7 +37,7 @@ static size_t texture_flash_b(const struct lim_scene *scene, bool wide)
 /* Bytes of a scene's arrays and its struct lim_scene, as a 32-bit microcontroller holds them. */
 static size_t flash_b(const struct lim_scene *scene)
 {
-    enum { POINTERS = 7, POINTER_B = 4, COUNTS = 7, FIXED_B = POINTERS * POINTER_B + 7 * 2 };
+    enum { POINTERS = 7, POINTER_B = 4, COUNTS = 7, LIMITS = 9, FIXED_B = POINTERS * POINTER_B + LIMITS * 2 };
     const bool wide = width_is_wide(scene);
     return FIXED_B + COUNTS * width_word_b(wide) + scene->vertex_count * sizeof *scene->vertices +
            scene->node_count * width_node_b(wide) + scene->plane_count * width_plane_b(wide) +

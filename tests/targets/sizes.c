@@ -53,6 +53,12 @@ _Static_assert(MCU_MESH_NEARNESS_B == sizeof *((struct lim_mesh *)0)->nearness, 
 _Static_assert((int)MCU_MESH_LEAST_ACTIVE == MESH_FAN + 1, "least pool of a mesh");
 #endif
 
+#if LIM_HAS_MESH_LEAVES
+_Static_assert((LIM_HAS_WIDE ? MCU_MESH_ENTRY_WIDE_B : MCU_MESH_ENTRY_B) == sizeof(struct lim_mesh_entry),
+               "polygon of a mesh leaf");
+_Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(struct lim_point), "point of a mesh leaf");
+#endif
+
 #if LIM_HAS_CONVEX
 _Static_assert(MCU_TOP_B == sizeof *((struct lim_convex *)0)->tops, "head of a line's faces");
 _Static_assert(MCU_FACE_B + INDEX_B / 2 == sizeof(struct lim_face), "face");
