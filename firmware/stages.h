@@ -131,8 +131,8 @@ struct lim_stats {
     struct lim_delta_stats delta;
 #endif
     uint16_t retained_cells_max, gaps_max, active_max; /* most used of each pool in one walk; convex: faces on a line */
-    uint32_t active_max_b;      /* what those take beside the memory that pass two does not need, at most */
-    uint16_t layers_max;        /* most transparent pieces of one line, nearest first */
+    uint32_t active_max_b; /* what those take beside the memory that pass two does not need, at most */
+    uint16_t layers_max;   /* most transparent pieces of one line, nearest first */
     uint32_t leaf_records, leaf_polygons_max; /* of `records`, those of mesh leaves; most of one, sorted at once */
 };
 

@@ -14,16 +14,6 @@
 static const double HELD_SHARE = 0.5;   /* of the polygons of other parts */
 static const double ROUND_SHARE = 0.75; /* of the diagonal of the mesh's box */
 
-/* Each polygon leads to one of its part that comes no later. */
-uint32_t parts_leader(uint32_t *leaders, uint32_t polygon)
-{
-    while (leaders[polygon] != polygon) {
-        leaders[polygon] = leaders[leaders[polygon]];
-        polygon = leaders[polygon];
-    }
-    return polygon;
-}
-
 static void join(uint32_t *leaders, uint32_t a, uint32_t b)
 {
     const uint32_t p = parts_leader(leaders, a), q = parts_leader(leaders, b);
@@ -45,12 +35,6 @@ static uint32_t *find_leaders(const struct mesh *mesh)
     }
     free(met);
     return leaders;
-}
-
-double parts_diagonal(const double low[3], const double high[3])
-{
-    return sqrt((high[0] - low[0]) * (high[0] - low[0]) + (high[1] - low[1]) * (high[1] - low[1]) +
-                (high[2] - low[2]) * (high[2] - low[2]));
 }
 
 static void survey_add(struct survey *survey, const struct mesh *mesh, const struct mesh_polygon *polygon,

@@ -5,24 +5,13 @@
 #ifndef SIM_PARTS_H
 #define SIM_PARTS_H
 
-#include "model/mesh.h"
-
-/* A dense part: polygons that share points with one another, or lie among those that do (parts_gather.h); all opaque,
- * each small against all of it; not what has most of the others within its bounds. */
-struct part {
-    uint32_t face;   /* the first one's number in the model file */
-    size_t polygons; /* as the mesh has them */
-    double low[3], high[3];
-};
+#include "trees/parts_survey.h"
 
 struct parts {
     uint32_t *of; /* of each polygon of the mesh, its part, counted from 1; 0: of none that is dense */
     struct part *items;
     size_t count;
 };
-
-/* The least polygons of a dense part, and the most records that a leaf holds. */
-enum { PART_POLYGONS_MIN = 64, PART_RECORDS_MAX = 32767 };
 
 /* `points` are the mesh's, in units. Parts are in the order of their first polygons. */
 void parts_find(const struct mesh *mesh, double (*points)[3], struct parts *out);

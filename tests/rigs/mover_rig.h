@@ -21,7 +21,7 @@ struct mover_rig {
     struct compare_counts counts; /* of all views so far */
     enum tree_kind tree;          /* of what stands still */
     enum mesh_leaves mesh_leaves;
-    size_t still;                 /* faces that belong to something already */
+    size_t still; /* faces that belong to something already */
 };
 
 /* The faces that were added to the model since the last call of either stand still. */
