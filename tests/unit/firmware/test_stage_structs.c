@@ -32,6 +32,7 @@ struct two {
     struct lim_pass pass;
     struct lim_sorter sorter;
     struct lim_movers movers;
+    struct lim_mesh_leaf leaf;
     void *mem[2];
     size_t mem_b;
     struct plain_lines lines[2];
@@ -77,7 +78,8 @@ static void assert_same(const struct two *two)
 
 static void draw_nearest(struct two *two, const struct closed_stage *stage, struct random *random)
 {
-    struct lim_nearest nearest = {.pass = &two->pass, .sorter = {&two->sorter}, .paint.pass = &two->pass};
+    struct lim_nearest nearest = {
+        .pass = &two->pass, .sorter = {&two->sorter}, .leaf = {&two->leaf}, .paint.pass = &two->pass};
 
     lim_nearest_init(&nearest, two->mem[1], two->mem_b);
     for (int i = 0; i < FRAMES; i++) {
@@ -92,7 +94,7 @@ static void draw_nearest(struct two *two, const struct closed_stage *stage, stru
 
 static void draw_painter(struct two *two, const struct closed_stage *stage, struct random *random)
 {
-    struct lim_painter painter = {.pass = &two->pass, .sorter = {&two->sorter}};
+    struct lim_painter painter = {.pass = &two->pass, .sorter = {&two->sorter}, .leaf = {&two->leaf}};
 
     lim_painter_init(&painter, two->mem[1]);
     for (int i = 0; i < FRAMES; i++) {

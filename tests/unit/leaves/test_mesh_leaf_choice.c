@@ -241,7 +241,8 @@ static void what_moves_is_whole(void **state)
     struct compiled scene = compiled_of(&mesh, &options);
     assert_int_equal(scene.scene.node_count, 1);
     assert_int_equal(scene.report.mesh_leaves, 1);
-    assert_int_equal(scene.scene.limits.leaf_polygons, mesh.polygon_count);
+    const lim_index *words = lim_mesh_leaf_words(&scene.scene.polygons[scene.scene.nodes[0].front_run]);
+    assert_int_equal(words[LIM_MESH_LEAF_POLYGONS], mesh.polygon_count);
     compiled_free(&scene);
     const double centre_m[3] = {0, 0, 0}, half_m[3] = {1, 0.5, 0.5};
     mesh_rig_box(&mesh, centre_m, half_m, 0.0, 0.0);
