@@ -40,8 +40,8 @@ void moving_report_print(const struct moving *moving, const struct compiled *sce
     for (size_t i = 0; i < moving->count; i++)
         print_object(&moving->objects[i]);
     print_sum(moving);
+    printf("  %-28s %8zu beside the scene's\n", "working memory, bytes", mcu_movers_mem_b(scene, moving));
     for (size_t i = 0; i < moving->count; i++)
         leaf_report_print(&moving->objects[i].scene.report.leaf_parts, moving->objects[i].name);
-    printf("  %-28s %8zu beside the scene's\n", "working memory, bytes", mcu_movers_mem_b(scene, moving));
     if (name) printf("  note: %s.lim holds what stands still alone: `limner render` shows no objects of it\n", name);
 }
