@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What is kept of meshes: of scenes without a tree, and of leaves of a tree that are one. As stages.h, so that callers
- * can place a renderer. */
+ * What is kept of a mesh, a scene without a tree. As stages.h, so that callers can place a renderer. */
 #ifndef LIM_MESHES_H
 #define LIM_MESHES_H
 
@@ -10,43 +9,6 @@
 #include "stages.h"
 
 LIM_OPTIONAL_BEGIN
-
-/* Mesh leaves ------------------------------------------------------------------------------------------------------ */
-
-/* A polygon of a mesh leaf that faces the eye. */
-struct lim_mesh_entry {
-    lim_index record; /* in scene->polygons */
-    uint16_t next;    /* of those that are about as near, or LIM_NONE */
-    uint16_t key;     /* what is drawn first has the lower one */
-};
-#define LIM_MESH_LEAF_LISTS(polygon_count) ((polygon_count) / 8 + 16)
-
-/* How a mesh leaf is looked at. */
-struct lim_mesh_leaf_seen {
-    const struct lim_scene *scene;
-    struct lim_view *view;
-    bool back_to_front;
-};
-
-/* A mesh leaf that is being drawn (mesh_leaf.h). */
-struct lim_mesh_leaf {
-    struct lim_mesh_leaf_seen seen;
-    const LIM_FLASH lim_index *run;
-    struct lim_point *points; /* of its vertices, on the screen */
-    uint16_t *nearness;       /* likewise, as struct lim_mesh has it */
-    struct lim_mesh_entry *entries;
-    uint16_t *lists;            /* in the order of drawing, by nearness */
-    uint16_t list_count, list;  /* list: the one that is being drawn */
-    uint16_t size, used;        /* entries */
-    lim_index first;            /* its first vertex */
-    uint8_t near_shift, extent; /* as struct lim_mesh has them */
-    /* Where not all that face the eye have room at once: which of them are entries, from one place in the order of
-     * drawing to before another. */
-    bool is_partial;
-    uint64_t from, end;
-};
-
-/* Scenes without a tree -------------------------------------------------------------------------------------------- */
 
 /* Where a triangle comes among those that cross a line: what is painted first is lower. Its distance in the upper bits,
  * and its number, so that no two are equal and every pool makes the same picture. */
@@ -170,6 +132,16 @@ struct lim_mesh {
     LIM_OPTIONAL(struct lim_mesh_depths, depths, LIM_HAS_MESH_DEPTH);
     LIM_OPTIONAL(struct lim_mesh_looks, looks, LIM_HAS_TEXTURE);
 };
+
+/* Memory ---------------------------------------------------------------------------------------------------------- */
+
+/* By distance; `active_count` as lim_limits.active. */
+#define LIM_MESH_MEM_B(h_px, vertex_count, triangle_count, active_count)                                               \
+    LIM_MEM_ALIGNED_B((active_count) * sizeof(struct lim_mesh_active) +                                                \
+                      (vertex_count) * (sizeof(struct lim_point) + sizeof(uint16_t)) +                                 \
+                      ((size_t)(triangle_count) + (h_px)) * sizeof(lim_index))
+/* Beside LIM_MESH_MEM_B(), with a line of depths. */
+#define LIM_MESH_DEPTH_MEM_B(w_px) LIM_MEM_ALIGNED_B((w_px) * sizeof(uint16_t))
 
 LIM_OPTIONAL_END
 

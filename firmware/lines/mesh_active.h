@@ -6,7 +6,7 @@
 
 #include "lines/mesh_clip.h"
 #include "lines/mesh_texture.h"
-#include "orders.h"
+#include "meshes.h"
 #include "screen/edge.h"
 #include "view/pass.h"
 #include "view/view.h"

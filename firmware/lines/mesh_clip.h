@@ -5,7 +5,7 @@
 #ifndef LIM_MESH_CLIP_H
 #define LIM_MESH_CLIP_H
 
-#include "orders.h"
+#include "meshes.h"
 #include "view/view.h"
 
 /* Most corners of what is left of a triangle; and most triangles of a fan of them. */

@@ -8,7 +8,7 @@
 #define LIM_MESH_DEPTH_H
 
 #include "lines/mesh_clip.h"
-#include "orders.h"
+#include "meshes.h"
 
 #if LIM_HAS_MESH_DEPTH
 

@@ -4,7 +4,7 @@
 #ifndef LIM_MESH_LINE_H
 #define LIM_MESH_LINE_H
 
-#include "orders.h"
+#include "meshes.h"
 
 /* Paints the triangles of both lists in their order, and puts those that cross the next line, stepped to it, into the
  * first. */

@@ -6,7 +6,7 @@
 #ifndef LIM_MESH_TEXTURE_H
 #define LIM_MESH_TEXTURE_H
 
-#include "orders.h"
+#include "meshes.h"
 #include "view/pass.h"
 
 /* Room for one triangle's gradients, in entries of the pool. */

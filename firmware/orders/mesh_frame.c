@@ -18,7 +18,7 @@
 #if LIM_HAS_MESHES
 
 /* All of it. */
-static struct lim_view_part part_of(const struct lim_scene *scene)
+static struct lim_view_part whole_part(const struct lim_scene *scene)
 {
     return (struct lim_view_part){.count = scene->vertex_count};
 }
@@ -273,7 +273,7 @@ int lim_mesh_frame(struct lim_mesh *mesh)
 {
     struct lim_pass *pass = mesh->pass;
 
-    const struct lim_view_part part = part_of(pass->scene);
+    const struct lim_view_part part = whole_part(pass->scene);
     mesh->extent =
         (uint8_t)lim_view_all(&pass->view, pass->scene, &part, mesh->points, mesh->nearness, &mesh->near_shift);
     set_deep(mesh);

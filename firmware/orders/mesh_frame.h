@@ -10,7 +10,7 @@
 #ifndef LIM_MESH_FRAME_H
 #define LIM_MESH_FRAME_H
 
-#include "orders.h"
+#include "meshes.h"
 
 /* What a frame takes; `least`: with the smallest pool. */
 size_t lim_mesh_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least);

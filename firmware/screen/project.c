@@ -103,8 +103,9 @@ static inline bool meets_lines(const struct lim_edge_shape *shape, const struct 
 }
 
 /* What is left to do once a record's corners are on the screen, and its shape is known. */
-static inline bool set_look(struct lim_screen_polygon *out, const struct lim_view *view, const struct lim_scene *scene,
-                            const LIM_FLASH lim_index *record, const struct lim_rect *open, struct lim_stats *stats)
+static inline bool project_set_look(struct lim_screen_polygon *out, const struct lim_view *view,
+                                    const struct lim_scene *scene, const LIM_FLASH lim_index *record,
+                                    const struct lim_rect *open, struct lim_stats *stats)
 {
     if (LIM_HAS_STATS && stats) stats->non_monotone += out->shape.non_monotone;
     if (!meets_lines(&out->shape, open)) return false;
@@ -136,7 +137,7 @@ bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const st
     } else {
         shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
     }
-    return set_look(out, view, scene, record, open, stats);
+    return project_set_look(out, view, scene, record, open, stats);
 }
 
 #if LIM_HAS_MESH_LEAVES
@@ -148,7 +149,7 @@ bool lim_project_at(struct lim_screen_polygon *out, const struct lim_view *view,
     if (LIM_HAS_STATS && stats) stats->polygons++;
     if (LIM_HAS_WIREFRAME) read_hidden(out, record);
     shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
-    return set_look(out, view, scene, record, open, stats);
+    return project_set_look(out, view, scene, record, open, stats);
 }
 #endif
 
