@@ -147,7 +147,7 @@ struct leaf_nearness {
 
 static struct leaf_nearness nearness_of_sum(uint32_t sum, uint16_t bits, uint_fast8_t n)
 {
-    const uint32_t mean = n == 3 ? mean_of_three(sum) : 2 * sum / n;
+    const uint32_t mean = n == 3 ? mean_of_three(sum) : n == 4 ? sum >> 1 : 2 * sum / n;
 
     return (struct leaf_nearness){(uint16_t)(mean < KEY_MOST ? mean : KEY_MOST), bits};
 }
@@ -202,6 +202,53 @@ static inline void add_entry_at(struct lim_mesh_entry *entry, const struct lim_m
     entry->key = key_of(seen, mean);
 }
 
+/* What is known of a polygon's corners, one after the other. */
+struct leaf_outline {
+    int32_t left, right, top, bottom;
+    int32_t ux, uy; /* from the first corner to the one before */
+    int64_t area;   /* twice that so far: negative where it faces the eye */
+    uint32_t nearness;
+};
+
+static inline void outline_add(struct leaf_outline *outline, int32_t x, int32_t y, const struct lim_point *first,
+                               bool inside)
+{
+    const int32_t vx = x - first->x, vy = y - first->y;
+
+    outline->area += inside && !LIM_WIDE ? (int64_t)(outline->ux * vy) - outline->uy * vx
+                                         : (int64_t)outline->ux * vy - (int64_t)outline->uy * vx;
+    outline->ux = vx;
+    outline->uy = vy;
+    if (x < outline->left) outline->left = x;
+    if (x > outline->right) outline->right = x;
+    if (y < outline->top) outline->top = y;
+    if (y > outline->bottom) outline->bottom = y;
+}
+
+static bool polygon_mean(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record, uint32_t *mean);
+
+/* triangle_shows() for more corners; and the mean of their nearness. */
+static LIM_INLINE bool outline_mean(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record, bool inside,
+                                    uint32_t *mean)
+{
+    const uint_fast8_t n = (uint_fast8_t)(record[0] & LIM_POLYGON_COUNT);
+    const struct lim_point first = leaf->points[record[LIM_POLYGON_HEAD_WORDS] - leaf->first];
+    const struct lim_view *const view = leaf->seen.view;
+    struct leaf_outline outline = {first.x, first.x, first.y, first.y, 0, 0, 0, 0};
+
+    for (uint_fast8_t k = 0; k < n; k++) {
+        const lim_index vertex = (lim_index)(record[LIM_POLYGON_HEAD_WORDS + k] - leaf->first);
+        const uint16_t nearness = leaf->nearness[vertex];
+        if (!inside && !nearness) return polygon_mean(leaf, record, mean);
+        outline_add(&outline, leaf->points[vertex].x, leaf->points[vertex].y, &first, inside);
+        outline.nearness += nearness;
+    }
+    if (outline.area >= 0) return false;
+    *mean = nearness_of_sum(outline.nearness, 0, n).mean;
+    return has_centre(outline.top, outline.bottom, view->height.px, inside) &&
+           has_centre(outline.left, outline.right, view->width.px, inside);
+}
+
 /* Whether a polygon shows, and then the mean nearness of its corners. */
 static LIM_RARE bool polygon_mean(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_index *record, uint32_t *mean)
 {
@@ -234,8 +281,9 @@ static LIM_INLINE bool list_plain(struct lim_mesh_leaf *leaf, uint8_t extent, bo
                               (extent != LIM_VIEW_CLIPPED || (nearness[i] && nearness[j] && nearness[k]));
         uint32_t mean;
         bool shows;
-        if (LIM_UNLIKELY(!is_plain)) {
-            shows = polygon_mean(leaf, record, &mean);
+        if (!is_plain) {
+            shows = by_samples ? polygon_mean(leaf, record, &mean)
+                               : outline_mean(leaf, record, extent == LIM_VIEW_INSIDE, &mean);
         } else {
             shows = triangle_shows(seen.view, lim_packed_load(&points[i]), lim_packed_load(&points[j]),
                                    lim_packed_load(&points[k]), extent == LIM_VIEW_INSIDE, by_samples);
