@@ -50,7 +50,7 @@ struct lim_hit {
  *
  * It meets a polygon where it crosses its plane, on the plane included, coming from the side that the polygon faces; a
  * segment that begins on the plane comes from there, one that lies in it crosses nothing, nor does one without length.
- * The point where it crosses, seen along the longest component of the plane's normal, must lie within the polygon, by
+ * The point where it crosses, seen along the longest component of the plane's normal (the first of them), must lie within the polygon, by
  * even and odd, or such that the square of one unit's side around it touches an edge: a corner is off by half a unit,
  * as it was rounded, and so neighbours leave no gap. All of that is exact, and so is which polygon is the first; of
  * those equally far away it is any. It is exact for scenes compiled with a tolerance of up to half a unit, as they are
