@@ -104,7 +104,7 @@ static void announce(struct flight *flight, uint16_t frame)
 /* Returns only when something fails, or a program is to end. */
 static int fly(void)
 {
-    struct flight flight = {.walker = {.walking = false}};
+    struct flight flight = {.walker = {.solid = scene_solid()}};
     bool lit = false;
 
     if (SCENE_AHEAD) announce(&flight, 0);
