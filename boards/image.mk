@@ -153,7 +153,7 @@ export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B CODE_IN_RAM STREAM LINES
 $(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh sim/tools/footprint.sh sim/tools/pointers.awk sim/tools/stack.awk sim/tools/avr_graph.awk \
 		$(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
 	$(LIVE)rm -f $(IMAGE).*
-	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags) $(card_flags)' sh boards/link.sh $(folder) \
+	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags) $(card_flags) $(walls_flags)' sh boards/link.sh $(folder) \
 		'$(BOARD): $(model) on $(PANEL), $(module_size), precision $(PRECISION)' $(board_objects) $(image_objects)
 
 $(IMAGE).bin: $(IMAGE).elf

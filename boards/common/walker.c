@@ -14,7 +14,7 @@ enum { BODY_NEARS = 2, FLOOR_NEARS = 32, BODY_NEARS_MAX = FLOOR_NEARS + BODY_NEA
 /* What stops it, if its body is not too large to be stopped. */
 static const struct lim_solid *solid_of(const struct walker *walker)
 {
-    return BOARD_WALLS && walker->camera.near_q8 <= LIM_HALF_MAX_Q8 / BODY_NEARS_MAX ? walker->solid : NULL;
+    return BOARD_WALLS && walker->camera.near_q8 <= LIM_HALF_MAX_Q8 / BODY_NEARS_MAX ? walker->body->solid : NULL;
 }
 
 /* Where the path left it: on a floor, or floating. */
@@ -24,18 +24,19 @@ static void begin_walk(struct walker *walker, const struct lim_camera *camera)
     struct lim_hit floor;
 
     walker->camera = *camera;
-    walker->eye_q8 = 0;
     if (!solid_of(walker)) return;
+    walker->body->eye_q8 = 0;
     const int32_t below_q8[3] = {camera->eye_q8[0], camera->eye_q8[1] - FLOOR_NEARS * near_q8, camera->eye_q8[2]};
-    if (lim_trace(walker->solid, camera->eye_q8, below_q8, 0, &floor) != 1) return;
+    if (lim_trace(walker->body->solid, camera->eye_q8, below_q8, 0, &floor) != 1) return;
     const int32_t eye_q8 = camera->eye_q8[1] - floor.at_q8[1] - LIM_SKIN_Q8;
     if (eye_q8 <= near_q8) return;
-    walker->eye_q8 = eye_q8;
-    walker->body = (struct lim_walker){.at_q8 = {camera->eye_q8[0], camera->eye_q8[1] - eye_q8, camera->eye_q8[2]},
-                                       .radius_q8 = BODY_NEARS * near_q8,
-                                       .height_q8 = eye_q8 + BODY_NEARS * near_q8,
-                                       .step_q8 = eye_q8 / STEP_PARTS,
-                                       .gravity_q8 = near_q8 / GRAVITY_PARTS};
+    walker->body->eye_q8 = eye_q8;
+    walker->body->feet =
+        (struct lim_walker){.at_q8 = {camera->eye_q8[0], camera->eye_q8[1] - eye_q8, camera->eye_q8[2]},
+                            .radius_q8 = BODY_NEARS * near_q8,
+                            .height_q8 = eye_q8 + BODY_NEARS * near_q8,
+                            .step_q8 = eye_q8 / STEP_PARTS,
+                            .gravity_q8 = near_q8 / GRAVITY_PARTS};
 }
 
 /* A step that would leave the renderer's range is not made. */
@@ -53,14 +54,14 @@ static void float_on(struct walker *walker, int32_t x_q8, int32_t z_q8)
     const int32_t side_q8 = BODY_NEARS * walker->camera.near_q8;
     const int32_t half_q8[3] = {side_q8, side_q8, side_q8}, way_q8[3] = {x_q8, 0, z_q8};
 
-    if (lim_slide(walker->solid, half_q8, walker->camera.eye_q8, way_q8, 0) < 0) return;
+    if (lim_slide(walker->body->solid, half_q8, walker->camera.eye_q8, way_q8, 0) < 0) return;
 }
 
 static void go_on_foot(struct walker *walker, int32_t x_q8, int32_t z_q8)
 {
-    if (lim_walker_move(walker->solid, &walker->body, x_q8, z_q8)) return;
+    if (lim_walker_move(walker->body->solid, &walker->body->feet, x_q8, z_q8)) return;
     for (uint_fast8_t i = 0; i < 3; i++)
-        walker->camera.eye_q8[i] = walker->body.at_q8[i] + (i == 1 ? walker->eye_q8 : 0);
+        walker->camera.eye_q8[i] = walker->body->feet.at_q8[i] + (i == 1 ? walker->body->eye_q8 : 0);
 }
 
 static void go(struct walker *walker, int32_t step_q8)
@@ -71,7 +72,7 @@ static void go(struct walker *walker, int32_t step_q8)
 
     if (!solid_of(walker))
         go_through_walls(camera, x_q8, z_q8);
-    else if (walker->eye_q8)
+    else if (walker->body->eye_q8)
         go_on_foot(walker, x_q8, z_q8);
     else
         float_on(walker, x_q8, z_q8);
@@ -85,7 +86,7 @@ static void step(struct walker *walker, uint8_t pressed)
 
     if (pressed & BOARD_LEFT) walker->camera.yaw += TURN_STEP;
     if (pressed & BOARD_RIGHT) walker->camera.yaw -= TURN_STEP;
-    if (steps || walker->eye_q8) go(walker, steps * step_q8);
+    if (steps || (solid_of(walker) && walker->body->eye_q8)) go(walker, steps * step_q8);
 }
 
 void walker_frame(struct walker *walker, uint8_t buttons, struct lim_camera *camera)

@@ -25,15 +25,26 @@
 #define BOARD_WALLS 1
 #endif
 
+/* Of who is stopped by walls. */
+struct walker_body {
+    const struct lim_solid *solid; /* the caller's; NULL: nothing stops it */
+    struct lim_walker feet;        /* if it has some */
+    int32_t eye_q8;                /* how high its eye is above its feet; 0: it floats */
+};
+
 /* All zero: on the path, and no button was seen released. */
 struct walker {
-    struct lim_camera camera;      /* the walker's, if there is one */
-    const struct lim_solid *solid; /* the caller's; NULL: nothing stops it */
-    struct lim_walker body;        /* if it has feet */
-    int32_t eye_q8;                /* how high its eye is above its feet; 0: it floats */
-    uint8_t released;              /* buttons that were seen so, and count */
+    struct lim_camera camera; /* the walker's, if there is one */
+    LIM_OPTIONAL(struct walker_body, body, BOARD_WALLS);
+    uint8_t released; /* buttons that were seen so, and count */
     bool walking;
 };
+
+/* What stops it, from the next walk on. */
+static inline void walker_set_solid(struct walker *walker, const struct lim_solid *solid)
+{
+    if (BOARD_WALLS) walker->body->solid = solid;
+}
 
 /* Once a frame. buttons: enum board_button, those that are down. camera: in, the path's; out, the one to draw. */
 void walker_frame(struct walker *walker, uint8_t buttons, struct lim_camera *camera);

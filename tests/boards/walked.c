@@ -46,7 +46,7 @@ static bool meet_walls(struct walked *walked)
     const size_t mem_b = (scene->limits.depth + 1u) * sizeof *walked->stack;
 
     walked->stack = malloc(mem_b);
-    walked->walker.solid = &walked->solid;
+    walker_set_solid(&walked->walker, &walked->solid);
     return walked->stack && !lim_solid_init(&walked->solid, scene, walked->stack, mem_b);
 }
 
