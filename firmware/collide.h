@@ -50,11 +50,11 @@ struct lim_hit {
  *
  * It meets a polygon where it crosses its plane, on the plane included, coming from the side that the polygon faces; a
  * segment that begins on the plane comes from there, one that lies in it crosses nothing, nor does one without length.
- * The point where it crosses, seen along the longest component of the plane's normal (the first of them), must lie within the polygon, by
- * even and odd, or such that the square of one unit's side around it touches an edge: a corner is off by half a unit,
- * as it was rounded, and so neighbours leave no gap. All of that is exact, and so is which polygon is the first; of
- * those equally far away it is any. It is exact for scenes compiled with a tolerance of up to half a unit, as they are
- * by default: what lies further on the wrong side of a plane is not looked for there.
+ * The point where it crosses, seen along the longest component of the plane's normal (the first of them), must lie
+ * within the polygon, by even and odd, or such that the square of one unit's side around it touches an edge: a corner
+ * is off by half a unit, as it was rounded, and so neighbours leave no gap. All of that is exact, and so is which
+ * polygon is the first; of those equally far away it is any. It is exact for scenes compiled with a tolerance of up to
+ * half a unit, as they are by default: what lies further on the wrong side of a plane is not looked for there.
  *
  * hit->at_q8 is no further along than the crossing, never behind the plane, and within 4 units of 2^-8 units of the
  * crossing along each axis, or, where the way is so slant that this would be behind the plane, so much nearer that it
@@ -91,8 +91,8 @@ LIM_MUST_CHECK int lim_slide(const struct lim_solid *solid, const int32_t half_q
 /* Who walks: an upright box with a square base. */
 struct lim_walker {
     int32_t at_q8[3];   /* the middle of its base: where its feet are */
-    int32_t radius_q8;  /* half of the base's side, above 0 */
-    int32_t height_q8;  /* above 0; an eye belongs below it, by the distance of the near plane and more */
+    int32_t radius_q8;  /* half of the base's side, 1..LIM_HALF_MAX_Q8 */
+    int32_t height_q8;  /* 1..2 LIM_HALF_MAX_Q8; an eye belongs below it, by the distance of the near plane and more */
     int32_t step_q8;    /* how high a step it climbs, below height_q8; 0: none */
     int32_t gravity_q8; /* by which its fall gets longer with each move, 0..2^16 */
     int32_t fall_q8;    /* how far it fell in the last move; 0 to begin with, or below to jump */

@@ -9,12 +9,21 @@
 enum { NEAR_STEPS = 4, BOARD_WALK = BOARD_UP | BOARD_DOWN | BOARD_LEFT | BOARD_RIGHT };
 
 /* Of its body, in distances of the near plane; gravity is a fourth part of one. */
-enum { BODY_NEARS = 2, FLOOR_NEARS = 32, BODY_NEARS_MAX = FLOOR_NEARS + BODY_NEARS, GRAVITY_PARTS = 4, STEP_PARTS = 4 };
+enum { BODY_NEARS = 2, FLOOR_NEARS = 32, GRAVITY_PARTS = 4, STEP_PARTS = 4 };
+#define BODY_NEAR_MAX_Q8 (LIM_HALF_MAX_Q8 / 4)
 
 /* What stops it, if its body is not too large to be stopped. */
 static const struct lim_solid *solid_of(const struct walker *walker)
 {
-    return BOARD_WALLS && walker->camera.near_q8 <= LIM_HALF_MAX_Q8 / BODY_NEARS_MAX ? walker->body->solid : NULL;
+    return BOARD_WALLS && walker->camera.near_q8 <= BODY_NEAR_MAX_Q8 ? walker->body->solid : NULL;
+}
+
+/* How far below the eye a floor may be: with what is above it a body may not be too high. */
+static int32_t floor_below(int32_t near_q8)
+{
+    const int32_t most_q8 = 2 * LIM_HALF_MAX_Q8 - BODY_NEARS * near_q8;
+
+    return near_q8 < most_q8 / FLOOR_NEARS ? FLOOR_NEARS * near_q8 : most_q8;
 }
 
 /* Where the path left it: on a floor, or floating. */
@@ -26,7 +35,7 @@ static void begin_walk(struct walker *walker, const struct lim_camera *camera)
     walker->camera = *camera;
     if (!solid_of(walker)) return;
     walker->body->eye_q8 = 0;
-    const int32_t below_q8[3] = {camera->eye_q8[0], camera->eye_q8[1] - FLOOR_NEARS * near_q8, camera->eye_q8[2]};
+    const int32_t below_q8[3] = {camera->eye_q8[0], camera->eye_q8[1] - floor_below(near_q8), camera->eye_q8[2]};
     if (lim_trace(walker->body->solid, camera->eye_q8, below_q8, 0, &floor) != 1) return;
     const int32_t eye_q8 = camera->eye_q8[1] - floor.at_q8[1] - LIM_SKIN_Q8;
     if (eye_q8 <= near_q8) return;
@@ -48,13 +57,14 @@ static void go_through_walls(struct lim_camera *camera, int32_t x_q8, int32_t z_
     camera->eye_q8[2] += z_q8;
 }
 
-/* Nor is one that would leave that of bodies. */
+/* Where no body may be, far outside, nothing stops it. */
 static void float_on(struct walker *walker, int32_t x_q8, int32_t z_q8)
 {
     const int32_t side_q8 = BODY_NEARS * walker->camera.near_q8;
     const int32_t half_q8[3] = {side_q8, side_q8, side_q8}, way_q8[3] = {x_q8, 0, z_q8};
 
-    if (lim_slide(walker->body->solid, half_q8, walker->camera.eye_q8, way_q8, 0) < 0) return;
+    if (lim_slide(walker->body->solid, half_q8, walker->camera.eye_q8, way_q8, 0) < 0)
+        go_through_walls(&walker->camera, x_q8, z_q8);
 }
 
 static void go_on_foot(struct walker *walker, int32_t x_q8, int32_t z_q8)

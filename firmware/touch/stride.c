@@ -103,7 +103,7 @@ static void fall(struct stride *stride, struct lim_walker *walker)
 static bool is_walker_in_range(const struct lim_walker *walker, int32_t x_q8, int32_t z_q8)
 {
     return abs_s32(x_q8) < WALKER_WAY_MAX_Q8 && abs_s32(z_q8) < WALKER_WAY_MAX_Q8 && walker->radius_q8 > 0 &&
-           walker->radius_q8 <= LIM_HALF_MAX_Q8 && walker->height_q8 > 0 && walker->height_q8 <= LIM_HALF_MAX_Q8 &&
+           walker->radius_q8 <= LIM_HALF_MAX_Q8 && walker->height_q8 > 0 && walker->height_q8 <= 2 * LIM_HALF_MAX_Q8 &&
            walker->step_q8 >= 0 && walker->step_q8 < walker->height_q8 && walker->gravity_q8 >= 0 &&
            walker->gravity_q8 <= GRAVITY_MAX_Q8 && abs_s32(walker->fall_q8) <= LIM_FALL_MAX_Q8 &&
            abs_s32(walker->at_q8[1]) < LIM_BODY_MAX_Q8;
