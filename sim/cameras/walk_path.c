@@ -15,20 +15,21 @@
 #include <string.h>
 
 static const double SEEN_M = 10.0, NEAR_M = 0.35, EYE_PART = 0.35;
-enum { TURNS = 128, TURNS_A_FRAME = 3, AHEAD = 8, STARTS = 12, LOOK_EVERY = 4, STUCK_FRAMES = 12 };
-static const double FULL_TURN = 6.283185307179586476925;
+enum { AHEAD = 8, STARTS = 12, LOOK_EVERY = 4, STUCK_FRAMES = 8 };
+static const double FULL_TURN = 6.283185307179586476925, TURN_A_FRAME = 0.16;
 
 struct touring {
     struct walk_map map;
     const struct walk_wish *wish;
     struct lim_walker walker;
-    int heading;    /* in turns / TURNS */
+    double heading; /* radians, as lim_camera's yaw */
     double eye_y_m; /* follows the walker's, so that steps are no jumps */
     bool *seen;
     bool *ever;
     int32_t *before;        /* of each place, the one on the way there */
     int32_t *queue, *route; /* the route's last place first */
     size_t left;            /* of the route */
+    int32_t goal;           /* where it ends; whether it is seen there or not, it is done with then */
     int stuck;
 };
 
@@ -65,7 +66,8 @@ static bool plan(struct touring *tour)
         }
     tour->left = 0;
     if (first == last) return false;
-    for (int32_t at = tour->queue[first]; at != start; at = tour->before[at])
+    tour->goal = tour->queue[first];
+    for (int32_t at = tour->goal; at != start; at = tour->before[at])
         tour->route[tour->left++] = at;
     return tour->left > 0;
 }
@@ -97,24 +99,23 @@ static const struct lim_walker *aim(struct touring *tour)
     return &tour->map.places[tour->route[tour->left - 1]].walker;
 }
 
-/* -TURNS / 2 .. TURNS / 2 - 1 steps to the left. */
-static int turns_to(const struct touring *tour, const struct lim_walker *to)
+/* How far to the left that is: -half a turn to half a turn. */
+static double turn_to(const struct touring *tour, const struct lim_walker *to)
 {
     const double x = (double)to->at_q8[0] - tour->walker.at_q8[0], z = (double)to->at_q8[2] - tour->walker.at_q8[2];
-    const int wanted = (int)lround(atan2(-x, -z) / FULL_TURN * TURNS);
-    return ((wanted - tour->heading + TURNS + TURNS / 2) % TURNS + TURNS) % TURNS - TURNS / 2;
+    return remainder(atan2(-x, -z) - tour->heading, FULL_TURN);
 }
 
-/* Ahead, less where it still has to turn. */
-static bool go_ahead(struct touring *tour, int turns, struct error *err)
+/* Ahead, less where it still has to turn; and back from an edge that it would fall off. */
+static bool go_ahead(struct touring *tour, double left, struct error *err)
 {
-    const double yaw = tour->heading * FULL_TURN / TURNS, off = abs(turns) * FULL_TURN / TURNS;
-    const double stride_m = off > FULL_TURN / 6 ? 0.0 : tour->wish->stride_m * cos(off);
+    const double stride_m = fabs(left) > FULL_TURN / 6 ? 0.0 : tour->wish->stride_m * cos(left);
     const double stride_q8 = stride_m * tour->map.scene->grid.units_per_m * 256.0;
     const struct lim_walker before = tour->walker;
-    if (lim_walker_move(&tour->map.solid, &tour->walker, (int32_t)(-sin(yaw) * stride_q8),
-                        (int32_t)(-cos(yaw) * stride_q8)))
+    if (lim_walker_move(&tour->map.solid, &tour->walker, (int32_t)(-sin(tour->heading) * stride_q8),
+                        (int32_t)(-cos(tour->heading) * stride_q8)))
         return error_set(err, "the walker left the range of coordinates");
+    if (!tour->walker.stands) tour->walker = before;
     const bool is_stuck = stride_m > 0 && walk_map_way_m(&tour->map, &before, &tour->walker) < stride_m / 4;
     tour->stuck = is_stuck ? tour->stuck + 1 : 0;
     return true;
@@ -132,19 +133,20 @@ static bool press_buttons(struct touring *tour, struct error *err)
 {
     const struct lim_walker *to = aim(tour);
     if (!to || tour->stuck > STUCK_FRAMES) {
+        if (tour->goal != WALK_NOWHERE) tour->seen[tour->goal] = tour->ever[tour->goal] = true;
         tour->stuck = 0;
         next_route(tour);
         to = aim(tour);
     }
-    const int turns = to ? turns_to(tour, to) : 0;
-    const int most = turns > TURNS_A_FRAME ? TURNS_A_FRAME : turns < -TURNS_A_FRAME ? -TURNS_A_FRAME : turns;
-    tour->heading = (tour->heading + most + TURNS) % TURNS;
-    return go_ahead(tour, to ? turns - most : 0, err);
+    const double turn = to ? turn_to(tour, to) : 0.0;
+    const double now = fmax(-TURN_A_FRAME, fmin(TURN_A_FRAME, turn));
+    tour->heading += now;
+    return !to || go_ahead(tour, turn - now, err);
 }
 
 static void take_frame(struct touring *tour, struct viewpoint *frame, size_t number)
 {
-    const double yaw = tour->heading * FULL_TURN / TURNS;
+    const double yaw = tour->heading;
     walk_map_eye(&tour->map, &tour->walker, frame->eye_m);
     if (!number) tour->eye_y_m = frame->eye_m[1];
     tour->eye_y_m += EYE_PART * (frame->eye_m[1] - tour->eye_y_m);
@@ -181,7 +183,7 @@ static bool begin_there(struct touring *tour, struct error *err)
     if (!walk_map_put(&tour->map, from_m, &tour->walker))
         return error_set(err, "--from %g,%g,%g: there is no ground below that can be stood on", from_m[0], from_m[1],
                          from_m[2]);
-    tour->heading = (int)lround(tour->wish->heading_deg / 360.0 * TURNS) % TURNS;
+    tour->heading = tour->wish->heading_deg / 360.0 * FULL_TURN;
     return walk_map_explore(&tour->map, &tour->walker, err);
 }
 
@@ -228,7 +230,7 @@ static void end_tour(struct touring *tour)
 bool walk_path(const struct compiled *scene, const char *name, const struct walk_wish *wish, struct camera_path *out,
                struct walk_found *found, struct error *err)
 {
-    struct touring tour = {.wish = wish};
+    struct touring tour = {.wish = wish, .goal = WALK_NOWHERE};
     *found = (struct walk_found){0};
     bool ok = walk_map_init(&tour.map, scene, &wish->body, err) &&
               (wish->has_from ? begin_there(&tour, err) : begin_anywhere(&tour, name, err));
