@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+const double WALK_NEAR_M = 0.125;
 static const double CELL_M = 0.5, STRIDE_M = 0.1, FALL_M = 0.02;
 enum { FALLS_MAX = 400 };
 
@@ -90,18 +91,33 @@ bool walk_map_put(const struct walk_map *map, const double eye_m[3], struct lim_
     return falls_to_ground(map, walker);
 }
 
+/* Straight to a place, so far at most. false: it left the range. */
+static bool stride(const struct walk_map *map, struct lim_walker *walker, const struct lim_walker *to, double most_m)
+{
+    const double x_q8 = to->at_q8[0] - walker->at_q8[0], z_q8 = to->at_q8[2] - walker->at_q8[2];
+    const double left_q8 = hypot(x_q8, z_q8), most_q8 = units_q8(map, most_m);
+    const double share = left_q8 > most_q8 ? most_q8 / left_q8 : 1.0;
+    return !lim_walker_move(&map->solid, walker, (int32_t)(x_q8 * share), (int32_t)(z_q8 * share));
+}
+
 bool walk_map_goes(const struct walk_map *map, struct lim_walker *walker, const struct lim_walker *to, double most_m)
 {
-    const double stride_q8 = units_q8(map, STRIDE_M), near_m = CELL_M / 4;
     const int moves = (int)ceil(most_m / STRIDE_M) + 2;
-    for (int i = 0; i < moves; i++) {
-        const double x_q8 = to->at_q8[0] - walker->at_q8[0], z_q8 = to->at_q8[2] - walker->at_q8[2];
-        const double left_q8 = hypot(x_q8, z_q8), share = left_q8 > stride_q8 ? stride_q8 / left_q8 : 1.0;
-        if (walk_map_way_m(map, walker, to) < near_m) return true;
-        if (lim_walker_move(&map->solid, walker, (int32_t)(x_q8 * share), (int32_t)(z_q8 * share)) || !walker->stands)
-            return false;
+    for (int i = 0; i < moves && walk_map_way_m(map, walker, to) >= WALK_NEAR_M; i++)
+        if (!stride(map, walker, to, STRIDE_M) || !walker->stands) return false;
+    return walk_map_way_m(map, walker, to) < WALK_NEAR_M;
+}
+
+bool walk_map_steps(const struct walk_map *map, struct lim_walker *walker, const struct lim_walker *to, double way_m)
+{
+    for (double left_m = way_m; left_m > 0.0; left_m -= STRIDE_M) {
+        const struct lim_walker before = *walker;
+        if (!stride(map, walker, to, fmin(left_m, STRIDE_M))) return false;
+        if (walker->stands) continue;
+        *walker = before;
+        break;
     }
-    return walk_map_way_m(map, walker, to) < near_m;
+    return true;
 }
 
 bool walk_map_sees(const struct walk_map *map, const struct lim_walker *a, const struct lim_walker *b)

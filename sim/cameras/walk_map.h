@@ -48,6 +48,12 @@ bool walk_map_explore(struct walk_map *map, const struct lim_walker *from, struc
 /* A walker goes straight to a place on the level, up to `most_m` far: whether it comes there, without falling. */
 bool walk_map_goes(const struct walk_map *map, struct lim_walker *walker, const struct lim_walker *to, double most_m);
 
+/* A part of that, by strides as short, and not off an edge: *walker is where it came to. false: it left the range. */
+bool walk_map_steps(const struct walk_map *map, struct lim_walker *walker, const struct lim_walker *to, double way_m);
+
+/* Nearer on the level than that to a place, who goes there has come there. */
+extern const double WALK_NEAR_M;
+
 /* Metres on the level between two. */
 double walk_map_way_m(const struct walk_map *map, const struct lim_walker *a, const struct lim_walker *b);
 

@@ -110,34 +110,34 @@ static bool take_orientation(struct arguments *arguments, struct compile_options
     return true;
 }
 
-/* Bodies are a player's in a map, and a person's elsewhere. */
-static bool take_model(struct walking *walking, struct arguments *arguments, struct error *err)
+/* What no option took. */
+static bool take_model(struct walking *walking, const struct arguments *arguments, struct error *err)
 {
-    int at = 1;
-    if (at < arguments->count && strcmp(arguments->items[at], "--") == 0)
-        at++;
-    else if (at < arguments->count && arguments->items[at][0] == '-')
-        return error_no_option(err, arguments->items[at]);
-    if (at >= arguments->count) return error_set(err, "walk: needs a model");
-    if (at + 1 < arguments->count)
-        return error_set(err, "walk: one model at a time, what is '%s'?", arguments->items[at + 1]);
-    walking->model = arguments->items[at];
+    int first = 1;
+    for (int i = 1; i < arguments->count && strcmp(arguments->items[i], "--") != 0; i++)
+        if (arguments->items[i][0] == '-') return error_no_option(err, arguments->items[i]);
+    if (first < arguments->count && strcmp(arguments->items[first], "--") == 0) first++;
+    if (first >= arguments->count) return error_set(err, "walk: needs a model");
+    if (first + 1 < arguments->count)
+        return error_set(err, "walk: one model at a time, what is '%s'?", arguments->items[first + 1]);
+    walking->model = arguments->items[first];
     return walking->out_path || error_set(err, "walk: -o FILE.cam says where to");
 }
 
-/* Which body is usual is asked of the model, which is what no option takes. */
-static const char *last_item(const struct arguments *arguments)
+/* Which body is usual hangs on the model, which is not known yet. */
+static bool names_map(const struct arguments *arguments)
 {
+    bool names = false;
     for (int i = 1; i < arguments->count; i++)
-        if (level_path_parse(arguments->items[i], NULL)) return arguments->items[i];
-    return NULL;
+        names = names || level_path_parse(arguments->items[i], NULL);
+    return names;
 }
 
 static bool parse(struct walking *walking, struct arguments *arguments, struct error *err)
 {
     walking->compile =
         (struct compile_options){.tolerance_units = 0.5, .splitter = "fewest", .tree = TREE_BSP, .unlit = true};
-    walking->wish.body = last_item(arguments) ? PLAYER : PERSON;
+    walking->wish.body = names_map(arguments) ? PLAYER : PERSON;
     walking->wish.stride_m = STRIDE_M;
     return arguments_value(arguments, "-o", &walking->out_path, err) && take_frames(arguments, &walking->wish, err) &&
            take_from(arguments, &walking->wish, err) && take_heading(arguments, &walking->wish, err) &&
