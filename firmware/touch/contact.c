@@ -104,24 +104,44 @@ static bool try_axis(const struct lim_mover_box *box, const LIM_FLASH lim_index 
     return narrow_by(stretch, axis, record_along(box, record, axis), reach, way);
 }
 
-/* The scene's axes, all corners in one pass. */
-static bool try_scene_axes(const struct lim_mover_box *box, const LIM_FLASH lim_index *record, struct stretch *stretch)
-{
-    const uint_fast8_t count = (uint_fast8_t)(record[0] & LIM_POLYGON_COUNT);
-    int16_t low[3] = {INT16_MAX, INT16_MAX, INT16_MAX}, high[3] = {INT16_MIN, INT16_MIN, INT16_MIN};
+/* Along the scene's axes, units. */
+struct bounds {
+    int16_t low[3], high[3];
+};
 
-    for (uint_fast8_t k = 0; k < count; k++) {
-        const LIM_FLASH struct lim_vertex *vertex = &box->scene->vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
-        const int16_t at[3] = {vertex->x, vertex->y, vertex->z};
-        for (uint_fast8_t i = 0; i < 3; i++) {
-            if (at[i] < low[i]) low[i] = at[i];
-            if (at[i] > high[i]) high[i] = at[i];
-        }
+static void widen(struct bounds *bounds, uint_fast8_t axis, int16_t at)
+{
+    if (at < bounds->low[axis]) bounds->low[axis] = at;
+    if (at > bounds->high[axis]) bounds->high[axis] = at;
+}
+
+/* false: the polygon is out of all that the box sweeps over, as most are. */
+static bool bound_record(const struct lim_mover_box *box, const LIM_FLASH lim_index *record, struct bounds *bounds)
+{
+    const LIM_FLASH struct lim_vertex *vertices = box->scene->vertices;
+    const LIM_FLASH struct lim_vertex *first = &vertices[record[LIM_POLYGON_HEAD_WORDS]];
+    const uint_fast8_t count = (uint_fast8_t)(record[0] & LIM_POLYGON_COUNT);
+
+    bounds->low[0] = bounds->high[0] = first->x;
+    bounds->low[1] = bounds->high[1] = first->y;
+    bounds->low[2] = bounds->high[2] = first->z;
+    for (uint_fast8_t k = 1; k < count; k++) {
+        const LIM_FLASH struct lim_vertex *vertex = &vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
+        widen(bounds, 0, vertex->x);
+        widen(bounds, 1, vertex->y);
+        widen(bounds, 2, vertex->z);
     }
+    for (uint_fast8_t i = 0; i < 3; i++)
+        if (bounds->low[i] > box->high[i] || bounds->high[i] < box->low[i]) return false;
+    return true;
+}
+
+static bool try_scene_axes(const struct lim_mover_box *box, const struct bounds *bounds, struct stretch *stretch)
+{
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t axis[3] = {i == 0, i == 1, i == 2};
-        const struct span_of_axis along = {low[i] * INT32_C(256) - box->from_q8[i],
-                                           high[i] * INT32_C(256) - box->from_q8[i]};
+        const struct span_of_axis along = {bounds->low[i] * INT32_C(256) - box->from_q8[i],
+                                           bounds->high[i] * INT32_C(256) - box->from_q8[i]};
         if (!narrow_by(stretch, axis, along, box->half_q8[i], box->way_q8[i])) return false;
     }
     return true;
@@ -176,13 +196,13 @@ static bool is_inwards(const struct lim_mover_box *box, const int32_t axis[3], b
     return from_back ? way > 0 : way < 0;
 }
 
-bool lim_contact_find(const struct lim_mover_box *box, const LIM_FLASH lim_index *record,
+static bool find_near(const struct lim_mover_box *box, const LIM_FLASH lim_index *record, const struct bounds *bounds,
                       const struct lim_plane_unpacked *plane, bool from_back, struct lim_contact *contact)
 {
     struct stretch stretch = {.has_begin = false};
     int32_t normal[3];
 
-    if (!try_scene_axes(box, record, &stretch)) return false;
+    if (!try_scene_axes(box, bounds, &stretch)) return false;
     normal_of(plane, normal);
     if (plane->axis == LIM_NO_AXIS && !try_axis(box, record, normal, &stretch)) return false;
     if (!try_edges(box, record, &stretch)) return false;
@@ -200,4 +220,12 @@ bool lim_contact_find(const struct lim_mover_box *box, const LIM_FLASH lim_index
     for (uint_fast8_t i = 0; i < 3; i++)
         contact->axis[i] = stretch.axis[i];
     return true;
+}
+
+bool lim_contact_find(const struct lim_mover_box *box, const LIM_FLASH lim_index *record,
+                      const struct lim_plane_unpacked *plane, bool from_back, struct lim_contact *contact)
+{
+    struct bounds bounds;
+
+    return bound_record(box, record, &bounds) && find_near(box, record, &bounds, plane, from_back, contact);
 }

@@ -13,6 +13,7 @@
 struct lim_mover_box {
     const struct lim_scene *scene;
     int32_t from_q8[3], way_q8[3], half_q8[3];
+    const int32_t *low, *high; /* what it sweeps over at most, units: of DESCENT */
 };
 
 /* num / den of the way, 0..1. */

@@ -100,6 +100,8 @@ static void sweep_to(struct sweep *sweep, const struct lim_solid *solid, const i
     for (uint_fast8_t i = 0; i < 3; i++)
         sweep->box.way_q8[i] = to_q8[i] - sweep->box.from_q8[i];
     lim_descent_begin(&descent, solid, sweep->box.from_q8, to_q8, sweep->box.half_q8);
+    sweep->box.low = descent.low;
+    sweep->box.high = descent.high;
     while ((node = lim_descent_next(&descent))) {
         const lim_index record = sweep->record;
         if (LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX)
