@@ -10,7 +10,7 @@
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/room_scene.h"
-#include "rigs/solid_oracle.h"
+#include "unit/collide/solid_oracle.h"
 
 #include <math.h>
 #include <stdio.h>

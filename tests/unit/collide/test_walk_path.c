@@ -6,7 +6,7 @@
 #include "compiler/compile.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/room_scene.h"
-#include "rigs/solid_oracle.h"
+#include "unit/collide/solid_oracle.h"
 
 #include <math.h>
 #include <stdio.h>

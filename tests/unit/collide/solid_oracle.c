@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "rigs/solid_oracle.h"
+#include "unit/collide/solid_oracle.h"
 
 #include "scene/plane.h"
 
