@@ -22,17 +22,17 @@ static struct wide wide_product(uint64_t a, uint64_t b)
     return (struct wide){a1 * b1 + (cross >> 32) + (middle >> 32), middle << 32 | (uint32_t)low};
 }
 
-static int32_t order_of(uint64_t a, uint64_t b)
+static int32_t order_of_u64(uint64_t a, uint64_t b)
 {
     return (a > b) - (a < b);
 }
 
 int32_t lim_wide_compare(uint64_t a, uint64_t b, uint64_t c, uint64_t d)
 {
-    if (fits_u32(a | b | c | d)) return order_of(a * b, c * d);
+    if (fits_u32(a | b | c | d)) return order_of_u64(a * b, c * d);
     const struct wide left = wide_product(a, b), right = wide_product(c, d);
 
-    return left.high != right.high ? order_of(left.high, right.high) : order_of(left.low, right.low);
+    return left.high != right.high ? order_of_u64(left.high, right.high) : order_of_u64(left.low, right.low);
 }
 
 int32_t lim_wide_sign(int64_t x, uint64_t m, int64_t y, uint64_t n)

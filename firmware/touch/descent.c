@@ -13,7 +13,7 @@
 #include "touch/descent.h"
 
 #define DESCENT_SLACK (INT32_C(3) << 16)
-enum { AXIS_SLACK_Q8 = 5 * 256, BOX_SLACK = 4, WAY_BITS = 13 };
+enum { AXIS_SLACK_Q8 = 5 * 256, BOX_SLACK = 4, RAY_WAY_BITS = 13 };
 
 static bool is_in_cube(const int32_t at_q8[3], uint8_t shift)
 {
@@ -58,7 +58,7 @@ static void set_way(struct lim_descent *descent)
         descent->way[i] = descent->to.at_q8[i] - descent->from.at_q8[i];
         longest |= abs_s32(descent->way[i]);
     }
-    while (longest >> shift >> WAY_BITS)
+    while (longest >> shift >> RAY_WAY_BITS)
         shift++;
     for (uint_fast8_t i = 0; i < 3; i++)
         descent->way[i] >>= shift;
@@ -95,8 +95,8 @@ void lim_descent_shorten(struct lim_descent *descent, const int32_t way_q8[3], u
 /* Whether the way's line misses the box, both seen along the third axis: (c - a) x way is beyond what the box reaches.
  * |c - a| <= 2^16 and |way| <= 2^13, so each sum is 2^30 at most; a component of the way that is off by 1 moves the
  * product by |c - a|, and the reach by the box's. */
-static bool is_beside(const struct lim_descent *descent, const LIM_FLASH struct lim_box *box, uint_fast8_t i,
-                      uint_fast8_t j)
+static bool passes_beside(const struct lim_descent *descent, const LIM_FLASH struct lim_box *box, uint_fast8_t i,
+                          uint_fast8_t j)
 {
     const int32_t from_i = box->centre[i] - descent->from.whole[i], from_j = box->centre[j] - descent->from.whole[j];
     const int32_t reach_i = box->half[i] + BOX_SLACK + 1, reach_j = box->half[j] + BOX_SLACK + 1;
@@ -114,7 +114,7 @@ static bool misses_box(const struct lim_descent *descent, const LIM_FLASH struct
         if (centre + half < descent->low[i] || centre - half > descent->high[i]) return true;
     }
     if (!descent->is_ray || descent->from.shift) return false;
-    return is_beside(descent, box, 0, 1) || is_beside(descent, box, 1, 2) || is_beside(descent, box, 2, 0);
+    return passes_beside(descent, box, 0, 1) || passes_beside(descent, box, 1, 2) || passes_beside(descent, box, 2, 0);
 }
 
 /* n . p - d by the 16-bit normal, units: scene.h's bounds keep it in 32 bits. */

@@ -26,7 +26,7 @@ struct ray {
 };
 
 /* Where a ray crosses a plane. */
-struct crossing {
+struct ray_crossing {
     struct lim_plane_unpacked plane;
     uint64_t num, den;        /* N and M, both positive whichever side it comes from */
     bool from_back;           /* of the plane */
@@ -34,7 +34,7 @@ struct crossing {
     int32_t at_i_q8, at_j_q8; /* h, rounded */
 };
 
-static int64_t value_at(const struct lim_plane_unpacked *plane, const int32_t at_q8[3])
+static int64_t ray_value(const struct lim_plane_unpacked *plane, const int32_t at_q8[3])
 {
     if (plane->axis != LIM_NO_AXIS) return at_q8[plane->axis] - (int32_t)plane->d * 256;
     return lim_plane_value(plane, at_q8[0], at_q8[1], at_q8[2], 256);
@@ -54,10 +54,10 @@ static int32_t along(const struct ray *ray, uint_fast8_t axis, uint32_t part_q30
 }
 
 /* false: the ray crosses it not at all. */
-static bool cross_plane(const struct ray *ray, const LIM_FLASH struct lim_plane_ref *ref, struct crossing *crossing)
+static bool cross_plane(const struct ray *ray, const LIM_FLASH struct lim_plane_ref *ref, struct ray_crossing *crossing)
 {
     lim_plane_unpack(&crossing->plane, ray->scene, ref);
-    const int64_t from = value_at(&crossing->plane, ray->from_q8), to = value_at(&crossing->plane, ray->to_q8);
+    const int64_t from = ray_value(&crossing->plane, ray->from_q8), to = ray_value(&crossing->plane, ray->to_q8);
 
     if (from == to || (from > 0 && to > 0) || (from < 0 && to < 0)) return false;
     crossing->from_back = from < 0 || (!from && to > 0);
@@ -67,7 +67,7 @@ static bool cross_plane(const struct ray *ray, const LIM_FLASH struct lim_plane_
 }
 
 /* Where that is, once something has to be looked at there. */
-static void place_crossing(const struct ray *ray, struct crossing *crossing)
+static void place_crossing(const struct ray *ray, struct ray_crossing *crossing)
 {
     const uint32_t part_q30 = lim_part_q30(crossing->num, crossing->den);
 
@@ -86,7 +86,7 @@ static int32_t coordinate(const LIM_FLASH struct lim_vertex *vertex, uint_fast8_
     return axis == 0 ? vertex->x : axis == 1 ? vertex->y : vertex->z;
 }
 
-static struct corner corner_at(const struct ray *ray, const struct crossing *crossing,
+static struct corner corner_at(const struct ray *ray, const struct ray_crossing *crossing,
                                const LIM_FLASH lim_index *record, uint_fast8_t k)
 {
     const LIM_FLASH struct lim_vertex *vertex = &ray->scene->vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
@@ -95,13 +95,14 @@ static struct corner corner_at(const struct ray *ray, const struct crossing *cro
 }
 
 /* How h lies to c along an axis, times M: its sign. */
-static int32_t side_of_value(const struct ray *ray, const struct crossing *crossing, uint_fast8_t axis, int32_t c_q8)
+static int32_t side_of_value(const struct ray *ray, const struct ray_crossing *crossing, uint_fast8_t axis,
+                             int32_t c_q8)
 {
     return lim_wide_sign((int64_t)ray->from_q8[axis] - c_q8, crossing->den, ray->way_q8[axis], crossing->num);
 }
 
 /* Whether the square around h itself touches the edge. */
-static LIM_RARE bool touches_exactly(const struct ray *ray, const struct crossing *crossing, struct corner p,
+static LIM_RARE bool touches_exactly(const struct ray *ray, const struct ray_crossing *crossing, struct corner p,
                                      struct corner q)
 {
     const int32_t e_i = q.i - p.i, e_j = q.j - p.j;
@@ -133,7 +134,7 @@ static int32_t outside(int32_t value_q8, int32_t a, int32_t b)
 
 /* Of the square around the rounded point, and what that says of the other. Corners and that point are less than 2^29
  * apart, edges are 2^16 long: `side` is below 2^46. */
-static enum touching touches_edge(const struct crossing *crossing, struct corner p, struct corner q, int64_t side)
+static enum touching touches_edge(const struct ray_crossing *crossing, struct corner p, struct corner q, int64_t side)
 {
     const int32_t out_i_q8 = outside(crossing->at_i_q8, p.i, q.i), out_j_q8 = outside(crossing->at_j_q8, p.j, q.j);
     const int32_t out_q8 = out_i_q8 > out_j_q8 ? out_i_q8 : out_j_q8;
@@ -146,7 +147,7 @@ static enum touching touches_edge(const struct crossing *crossing, struct corner
                                                                                               : TOUCHES_PERHAPS;
 }
 
-static bool is_inside(const struct ray *ray, const struct crossing *crossing, const LIM_FLASH lim_index *record)
+static bool is_inside(const struct ray *ray, const struct ray_crossing *crossing, const LIM_FLASH lim_index *record)
 {
     const uint_fast8_t count = (uint_fast8_t)(record[0] & LIM_POLYGON_COUNT);
     struct corner p = corner_at(ray, crossing, record, (uint_fast8_t)(count - 1));
@@ -167,7 +168,7 @@ static bool is_inside(const struct ray *ray, const struct crossing *crossing, co
 }
 
 /* The nearest, so far. */
-static void note_hit(struct ray *ray, const struct crossing *crossing, const LIM_FLASH lim_index *record)
+static void note_hit(struct ray *ray, const struct ray_crossing *crossing, const LIM_FLASH lim_index *record)
 {
     ray->found = true;
     ray->num = crossing->num;
@@ -183,13 +184,13 @@ static void note_hit(struct ray *ray, const struct crossing *crossing, const LIM
         ray->hit->at_q8[i] = along(ray, i, part_q30);
 }
 
-static bool is_nearer(const struct ray *ray, const struct crossing *crossing)
+static bool crosses_nearer(const struct ray *ray, const struct ray_crossing *crossing)
 {
     return !ray->found || lim_wide_compare(crossing->num, ray->den, ray->num, crossing->den) < 0;
 }
 
 /* back: its records face the back of the plane. */
-static void try_run(struct ray *ray, struct crossing *crossing, lim_index run, bool back, bool *placed)
+static void try_run(struct ray *ray, struct ray_crossing *crossing, lim_index run, bool back, bool *placed)
 {
     const LIM_FLASH lim_index *record = ray->scene->polygons + run;
 
@@ -207,12 +208,12 @@ static void try_run(struct ray *ray, struct crossing *crossing, lim_index run, b
 
 static void try_node(struct ray *ray, const LIM_FLASH struct lim_node *node)
 {
-    struct crossing crossing;
+    struct ray_crossing crossing;
     bool placed = false;
 
-    if (!cross_plane(ray, &node->split, &crossing) || !is_nearer(ray, &crossing)) return;
+    if (!cross_plane(ray, &node->split, &crossing) || !crosses_nearer(ray, &crossing)) return;
     try_run(ray, &crossing, node->front_run, false, &placed);
-    if (is_nearer(ray, &crossing)) try_run(ray, &crossing, node->back_run, true, &placed);
+    if (crosses_nearer(ray, &crossing)) try_run(ray, &crossing, node->back_run, true, &placed);
 }
 
 /* Each record has a plane of its own. */
@@ -222,9 +223,9 @@ static void try_leaf(struct ray *ray, const LIM_FLASH struct lim_node *node)
 
     for (;; record += lim_record_words(record[0])) {
         const bool back = record[0] & LIM_POLYGON_BACK;
-        struct crossing crossing;
+        struct ray_crossing crossing;
         if (cross_plane(ray, lim_record_plane(record), &crossing) &&
-            (crossing.from_back == back || (ray->backs && crossing.num)) && is_nearer(ray, &crossing)) {
+            (crossing.from_back == back || (ray->backs && crossing.num)) && crosses_nearer(ray, &crossing)) {
             place_crossing(ray, &crossing);
             if (is_inside(ray, &crossing, record)) note_hit(ray, &crossing, record);
         }
