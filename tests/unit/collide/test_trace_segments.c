@@ -10,6 +10,7 @@
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/room_scene.h"
+#include "rigs/tiny_scenes.h"
 #include "unit/collide/solid_oracle.h"
 
 #include <math.h>
@@ -341,6 +342,40 @@ static void nothing_leaves_a_closed_room(void **state)
     assert_int_equal(wrong, 0);
 }
 
+/* From inside of a box that is turned, so that the corners of no two of its sides lie on both planes. */
+static void nothing_leaves_a_turned_box(void **state)
+{
+    struct random random = {12};
+    size_t segments = 0, out = 0;
+
+    (void)state;
+    for (int k = 0; k < effort(40); k++) {
+        const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .tree = TREE_BSP};
+        struct model model = {.points = NULL};
+        struct stage stage = {0};
+        struct error err;
+        tiny_tiled_box(&model, &random);
+        if (!compile_part(&model, NULL, &options, &stage.scene, &err)) fail_msg("%s", err.text);
+        stage_begin(&stage, 9000 + (uint64_t)k);
+        for (int i = 0; i < 5000; i++) {
+            struct segment segment;
+            struct lim_hit hit;
+            int32_t at_q8[3];
+            for (int a = 0; a < 3; a++)
+                segment.from_q8[a] = (int32_t)random_in(&stage.random, -300000, 300000);
+            at_polygon(&stage, any_polygon(&stage), at_q8);
+            for (int a = 0; a < 3; a++)
+                segment.to_q8[a] = clamped_q8(segment.from_q8[a] + 3 * ((int64_t)at_q8[a] - segment.from_q8[a]));
+            out += lim_trace(&stage.solid, segment.from_q8, segment.to_q8, LIM_STOP_BACKS, &hit) != 1;
+            segments++;
+        }
+        stage_end(&stage);
+        model_free(&model);
+    }
+    printf("# %zu ways out of turned boxes, %zu not stopped\n", segments, out);
+    assert_int_equal(out, 0);
+}
+
 static void what_is_out_of_range_is_refused(void **state)
 {
     struct stage stage = {0};
@@ -374,6 +409,7 @@ int main(void)
         cmocka_unit_test(a_level_does),
         cmocka_unit_test(random_buildings_do),
         cmocka_unit_test(nothing_leaves_a_closed_room),
+        cmocka_unit_test(nothing_leaves_a_turned_box),
         cmocka_unit_test(what_is_out_of_range_is_refused),
     };
 
