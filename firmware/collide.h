@@ -75,15 +75,15 @@ enum { LIM_SKIN_Q8 = 512 };                /* 2 units: how far from a wall who w
  * in front of as it begins, or on whose plane it is; with LIM_STOP_BACKS by all. It never enters one: where it ends,
  * and all along the way from from_q8 to at_q8, it has no inner point in common with any of these that it had none in
  * common with at from_q8. Around a closed solid, which its middle is not in, that goes for all polygons. It stops
- * LIM_SKIN_Q8 before what is in its way, along each axis of the scene together, or where it is if it is nearer than
- * that already. What it is in at the beginning it may leave: it is stopped if it goes towards the polygon's back.
- * Corners of a polygon that do not lie in one plane, by rounding, may stop it a unit early. */
+ * LIM_SKIN_Q8 before what is in its way, along `normal`, or up to 1.8 times as far where that is slant; or where it is,
+ * if it is nearer than that already. What it is in at the beginning it may leave: it is stopped if it goes towards the
+ * polygon's back. Corners of a polygon that do not lie in one plane, by rounding, may stop it a unit early. */
 LIM_MUST_CHECK int lim_sweep(const struct lim_solid *solid, const int32_t half_q8[3], const int32_t from_q8[3],
                              const int32_t to_q8[3], uint8_t flags, struct lim_hit *hit);
 
 /* The same box slides: what stops it takes away the part of its way that leads into it, up to LIM_SLIDES times. at_q8:
- * its middle, before and after. Ways are below 2^22. Returns how often it was stopped, or LIM_ERR_CAMERA, and nothing
- * has moved. It flies: floors and ceilings are walls. */
+ * its middle, before and after; ways are below LIM_BODY_MAX_Q8. Returns how often it was stopped, or LIM_ERR_CAMERA,
+ * and nothing has moved. It flies: floors and ceilings are walls. */
 enum { LIM_SLIDES = 4 };
 LIM_MUST_CHECK int lim_slide(const struct lim_solid *solid, const int32_t half_q8[3], int32_t at_q8[3],
                              const int32_t way_q8[3], uint8_t flags);

@@ -122,6 +122,9 @@ int lim_slide(const struct lim_solid *solid, const int32_t half_q8[3], int32_t a
               uint8_t flags)
 {
     int32_t to_q8[3] = {at_q8[0], at_q8[1], at_q8[2]};
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        if (abs_s32(at_q8[i]) >= LIM_BODY_MAX_Q8 || abs_s32(way_q8[i]) >= LIM_BODY_MAX_Q8) return LIM_ERR_CAMERA;
     const int stops = lim_slide_by(solid, half_q8, to_q8, way_q8, flags, false);
 
     for (uint_fast8_t i = 0; stops >= 0 && i < 3; i++)

@@ -106,7 +106,8 @@ static bool is_walker_in_range(const struct lim_walker *walker, int32_t x_q8, in
            walker->radius_q8 <= LIM_HALF_MAX_Q8 && walker->height_q8 > 0 && walker->height_q8 <= 2 * LIM_HALF_MAX_Q8 &&
            walker->step_q8 >= 0 && walker->step_q8 < walker->height_q8 && walker->gravity_q8 >= 0 &&
            walker->gravity_q8 <= GRAVITY_MAX_Q8 && abs_s32(walker->fall_q8) <= LIM_FALL_MAX_Q8 &&
-           abs_s32(walker->at_q8[1]) < LIM_BODY_MAX_Q8;
+           abs_s32(walker->at_q8[0]) < LIM_BODY_MAX_Q8 && abs_s32(walker->at_q8[1]) < LIM_BODY_MAX_Q8 &&
+           abs_s32(walker->at_q8[2]) < LIM_BODY_MAX_Q8;
 }
 
 int lim_walker_move(const struct lim_solid *solid, struct lim_walker *walker, int32_t x_q8, int32_t z_q8)

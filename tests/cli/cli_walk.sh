@@ -63,6 +63,7 @@ tap_check "an unknown option is" refused "--fast: no such option here" $rooms --
 tap_check "no frames are" refused "--frames" $rooms --frames 0 -o "$work/no.cam"
 tap_check "half a place is" refused "--from 1,2: must be the eye's X,Y,Z in metres" $rooms --from 1,2 -o "$work/no.cam"
 tap_check "a place without ground is" refused "--from 500,2,3: there is no ground below" $rooms --from 500,2,3 -o "$work/no.cam"
+tap_check "a solid in the air is" refused "sim/scenes/teapot.obj: there is no ground in its free space" sim/scenes/teapot.obj -o "$work/no.cam"
 tap_check "a heading of nobody is" refused "--heading 3: belongs to --from" $rooms --heading 3 -o "$work/no.cam"
 tap_check "an eye above the head is" refused "--eye 2: must be below the walker's height" $rooms --eye 2 -o "$work/no.cam"
 tap_check "a giant is" refused "a walker of 500 m is too large" $rooms --height 500 --radius 200 -o "$work/no.cam"

@@ -352,6 +352,9 @@ static void what_is_out_of_range_is_refused(void **state)
     assert_int_equal(lim_sweep(&stage.solid, half_q8, far_q8, at_q8, 0, &hit), LIM_ERR_CAMERA);
     assert_int_equal(lim_slide(&stage.solid, half_q8, here_q8, (const int32_t[3]){1, 0, 0}, 0), LIM_ERR_CAMERA);
     assert_int_equal(here_q8[0], LIM_BODY_MAX_Q8 - 1);
+    assert_int_equal(lim_slide(&stage.solid, half_q8, here_q8, (const int32_t[3]){INT32_MAX, 0, 0}, 0), LIM_ERR_CAMERA);
+    here_q8[0] = INT32_MIN;
+    assert_int_equal(lim_slide(&stage.solid, half_q8, here_q8, (const int32_t[3]){-1, 0, 0}, 0), LIM_ERR_CAMERA);
     stage_end(&stage);
 }
 

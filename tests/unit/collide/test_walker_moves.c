@@ -320,6 +320,9 @@ static void what_is_out_of_range_is_refused(void **state)
     struct lim_walker other = walker;
     assert_int_equal(lim_walker_move(&stage->solid, &other, 1 << 20, 0), LIM_ERR_CAMERA);
     assert_memory_equal(&other, &walker, sizeof other);
+    other.at_q8[2] = INT32_MAX;
+    assert_int_equal(lim_walker_move(&stage->solid, &other, 0, 1), LIM_ERR_CAMERA);
+    other = walker;
     other.radius_q8 = 0;
     assert_int_equal(lim_walker_move(&stage->solid, &other, 1, 0), LIM_ERR_CAMERA);
     other = walker;
