@@ -92,6 +92,7 @@ packages-boards        := sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,
 packages-methods        := gcc-arm-none-eabi qemu-system-arm freedoom $(packages-models)
 packages-delta-cost    := gcc-arm-none-eabi qemu-system-arm
 packages-overlay-cost  := gcc-arm-none-eabi qemu-system-arm
+packages-walk-cost       := gcc-arm-none-eabi qemu-system-arm freedoom
 packages-tables        := $(foreach table,$(TABLES),$(packages-$(table)))
 packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
 
@@ -126,7 +127,7 @@ progress_of = $(BUILD)/progress $(progress_count)
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
 rooms   := base core pictures model levels readers scene trees cameras displays glass render accuracy compiler export measure page cli
-firmware_rooms := math view screen pixels lines movers pieces routes orders
+firmware_rooms := math view touch screen pixels lines movers pieces routes orders
 sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c) hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
 library := $(BUILD)/host/liblimner.a

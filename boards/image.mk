@@ -7,6 +7,7 @@
 #   PANEL      the display's chip    MODULE   options of its module: limner help, play: --size 128x128 --rotate 90
 #   STREAM     yes: two renderers, of which one finds out what is seen while the other's frame is sent; no; auto: if both
 #              have room    LINES  of pixels in RAM, at most
+#   WALLS      yes: who walks with buttons is stopped by walls; no: passes through, and none of that is linked
 #   PRECISION  draft, fast, fine, exact    COMPILE   other options of `limner compile`: --wireframe --delta
 #              --overlay: frames show their number
 
@@ -20,6 +21,7 @@ COUNTED_ELF     = $(IMAGE).elf
 COUNTED_DRIVERS = $(filter $(common)/hal/mcu/%,$(board_objects))
 LINES    := 1
 STREAM   := no
+WALLS    := no
 TITLE     = $(BOARD)$(if $(filter --framebuffer,$(COMPILE)),$(comma) framebuffer)
 comma    := ,
 START    := boards/common/bare_image.c
@@ -74,8 +76,8 @@ card_flags   = $(if $(CARD),-DBOARD_CARD=1 -DBOARD_CARD_MS=$(CARD_MS))
 # What a file is made from, so that it is made anew when that changes.
 $(folder)/choice: force
 	@mkdir -p $(@D) $(common)
-	@echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(card_flags)' | cmp -s - $@ || \
-		echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(card_flags)' > $@
+	@echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(WALLS) $(card_flags)' | cmp -s - $@ || \
+		echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(WALLS) $(card_flags)' > $@
 
 $(folder)/module.c: $(folder)/choice $(BUILD)/limner
 	@$(BUILD)/limner module --panel $(PANEL) $(MODULE) -o $(folder)/module
@@ -92,7 +94,8 @@ $(folder)/cameras.h: $(folder)/model.lim $(CAMERA)
 
 board_flags = $(STANDARD) $(ARCH) $(OPT) $(WARNINGS) -ffunction-sections -fdata-sections $(FRAMES) -MMD -MP \
 	-DBOARD_LINES=$(LINES) $(DEFINES) -Ifirmware -Ihal -Iboards/common -I$(board_folder)
-image_flags = -I$(folder) -DLIM_CONFIG='"model.h"' $(stream_flags) $(card_flags)
+image_flags = -I$(folder) -DLIM_CONFIG='"model.h"' $(stream_flags) $(card_flags) $(walls_flags)
+walls_flags  = -DBOARD_WALLS=$(if $(filter no,$(WALLS)),0,1)
 stream_flags = $(if $(filter no,$(STREAM)),,-DSCREEN_STREAMS=1 -DSCENE_RENDERERS=2)
 
 board_sources := $(wildcard hal/*.c) $(SOURCES) $(START)
@@ -150,7 +153,7 @@ export BOARD TOOLS ARCH OPT LINK LAST FLASH_B RAM_B CODE_IN_RAM STREAM LINES
 $(IMAGE).elf: $(board_objects) $(image_objects) boards/link.sh sim/tools/footprint.sh sim/tools/pointers.awk sim/tools/stack.awk sim/tools/avr_graph.awk \
 		$(folder)/limits $(wildcard $(board_folder)/*.ld boards/common/*.ld)
 	$(LIVE)rm -f $(IMAGE).*
-	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags) $(card_flags)' sh boards/link.sh $(folder) \
+	$(LIVE)COMPILER='$(TOOLS)gcc $(board_flags) $(stream_flags) $(scene_flags) $(card_flags) $(walls_flags)' sh boards/link.sh $(folder) \
 		'$(BOARD): $(model) on $(PANEL), $(module_size), precision $(PRECISION)' $(board_objects) $(image_objects)
 
 $(IMAGE).bin: $(IMAGE).elf

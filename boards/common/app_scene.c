@@ -4,6 +4,7 @@
 #include "app_scene.h"
 
 #include "text.h"
+#include "walker.h"
 
 /* The target's sides: those of the cameras' picture, or exchanged where the camera lies down for a panel that cannot
  * turn it. */
@@ -252,6 +253,21 @@ void scene_refresh(void)
 }
 #else
 void scene_refresh(void) {}
+#endif
+
+#if BOARD_WALLS && defined(MODEL_SCENE_DEPTH)
+static lim_index way_down[MODEL_SCENE_DEPTH];
+static struct lim_solid solid;
+
+const struct lim_solid *scene_solid(void)
+{
+    return lim_solid_init(&solid, &model_scene, way_down, sizeof way_down) ? NULL : &solid;
+}
+#else
+const struct lim_solid *scene_solid(void)
+{
+    return NULL;
+}
 #endif
 
 void scene_camera(uint16_t frame, struct lim_camera *camera)

@@ -9,6 +9,7 @@
 #include "limner.h"
 
 #include "cameras.h"
+#include "collide.h"
 #include "model.h"
 #include "screen_work.h"
 
@@ -32,6 +33,9 @@ LIM_MUST_CHECK int scene_init(const struct lim_target *target);
 
 /* The cameras in turn; frame below CAMERAS_COUNT. */
 void scene_camera(uint16_t frame, struct lim_camera *camera);
+
+/* What stops a walker in it; NULL: nothing, as it is a mesh, or BOARD_WALLS is 0. */
+const struct lim_solid *scene_solid(void);
 
 /* The frame of the path that is next to be announced: its camera, which is read until the frame is drawn, and where
  * what moves in the scene is then (its animation, once over the whole path or, where that is SCENE_FRAMES_PER_S, at

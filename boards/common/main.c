@@ -107,6 +107,7 @@ static int fly(void)
     struct flight flight = {.walker = {.walking = false}};
     bool lit = false;
 
+    walker_set_solid(&flight.walker, scene_solid());
     if (SCENE_AHEAD) announce(&flight, 0);
     for (uint16_t frame = 0; !(BOARD_ENDS && board_is_over()); frame = (uint16_t)((frame + 1u) % CAMERAS_COUNT)) {
         int err = BOARD_CARD && frame == 0 ? show_card(lit = !lit) : 0;

@@ -12,6 +12,7 @@ PANEL     := ssd0323
 MODULE    := --converter
 SCENE     := rooms
 PRECISION := fast
+WALLS     := yes
 COMPILE   := --fill
 START     += boards/common/start_cortex_m.c
 SOURCES   := $(board_folder)/board.c $(addprefix hal/mcu/,lm3s_clocks.c lm3s_gpio.c pl022.c systick.c)

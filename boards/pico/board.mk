@@ -14,6 +14,7 @@ PANEL     := st7789
 MODULE    := --size 240x240 --hz 62500000
 SCENE     := rooms
 PRECISION := fast
+WALLS     := yes
 # Where the LED is, GP0 to GP28 (25: a Pico's own), or none.
 LED       := 25
 led_pin    = $(patsubst GP%,%,$(patsubst GPIO%,%,$(LED)))

@@ -3,8 +3,6 @@
  * |n| < 2^31 and |d| < 2^48: with a corner in Q12 each of three products stays below 2^58 + 2^27, and d below 2^60. */
 #include "view/plane_unpacked.h"
 
-#if LIM_HAS_PIECES
-
 static void load_slanted(struct lim_plane_unpacked *plane, const struct lim_scene *scene,
                          const LIM_FLASH struct lim_plane *packed)
 {
@@ -58,5 +56,3 @@ void lim_plane_cross(int32_t out[3], const int32_t front[3], int64_t front_value
     for (uint_fast8_t i = 0; i < 3; i++)
         out[i] = lerp_q31(front[i], back[i], t_q31);
 }
-
-#endif

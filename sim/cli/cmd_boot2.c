@@ -4,8 +4,8 @@
  * checksum, for linking, so that not only the UF2 file starts but what a debugger writes from the ELF file, too. */
 #include "base/arguments.h"
 #include "base/binary.h"
-#include "cli/boot2.h"
 #include "cli/commands.h"
+#include "export/boot2.h"
 #include "scene/scene_files.h"
 
 #include <stdlib.h>

@@ -50,22 +50,29 @@ static bool view_open(struct viewing *view, struct flight *flight, struct error 
     if (moving->count &&
         !simulator_set_movers(&view->simulator, moving->instances, moving->count, &moving->limits, err))
         return false;
-    flight_init(flight, &view->simulator, &camera, &view->scene.grid, moving->count ? moving : NULL);
-    return true;
+    return flight_init(flight, &view->simulator, &view->scene.scene, &camera, &view->scene.grid,
+                       moving->count ? moving : NULL, err);
+}
+
+static bool view_fly(struct viewing *view, struct flight *flight, struct error *err)
+{
+    if (!view_open(view, flight, err)) return false;
+    deadline_begin(0.0);
+    ending_lend(); /* a window is closed by signals, and the last frame is still written */
+    enum flight_end end = window_fly(flight, err);
+    ending_watch();
+    if (end == FLIGHT_IMPOSSIBLE) end = terminal_fly(flight, err);
+    if (end == FLIGHT_FAILED) return false;
+    struct film last = simulator_film(&view->simulator);
+    return dump_last_frame(&last, err);
 }
 
 static bool view_run(struct viewing *view, struct error *err)
 {
-    struct flight flight;
-    if (!view_open(view, &flight, err)) return false;
-    deadline_begin(0.0);
-    ending_lend(); /* a window is closed by signals, and the last frame is still written */
-    enum flight_end end = window_fly(&flight, err);
-    ending_watch();
-    if (end == FLIGHT_IMPOSSIBLE) end = terminal_fly(&flight, err);
-    if (end == FLIGHT_FAILED) return false;
-    struct film last = simulator_film(&view->simulator);
-    return dump_last_frame(&last, err);
+    struct flight flight = {.stack = NULL};
+    const bool ok = view_fly(view, &flight, err);
+    flight_free(&flight);
+    return ok;
 }
 
 int cmd_view(int argc, char **argv)

@@ -6,22 +6,48 @@
 #include "scene/moving.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <time.h>
 
-const char FLY_HELP[] = "w s a d: move, r f: up and down, arrows: turn and look, q: quit";
+const char FLY_HELP[] = "w s a d: move, r f: up and down, arrows: turn and look, x: through walls or not, q: quit";
 
 static const double EYE_END_Q8 = 268435456.0;      /* 2^28, exclusive */
 static const uint32_t TURN_STEP = 1u << 25;        /* 1/128 of a full turn */
 static const int32_t PITCH_MAX = INT32_C(1) << 30; /* a quarter turn */
 static const double RADIANS = 6.283185307179586476925 / 4294967296.0;
 
-void flight_init(struct flight *flight, struct simulator *simulator, const struct lim_camera *camera,
-                 const struct grid *grid, struct moving *moving)
+/* A box that the near plane's corners are in, and more. */
+static void set_body(struct flight *flight)
+{
+    const int32_t near_q8 = flight->camera.near_q8;
+    for (int i = 0; i < 3; i++)
+        flight->half_q8[i] = near_q8 < LIM_HALF_MAX_Q8 / 2 ? 2 * near_q8 : LIM_HALF_MAX_Q8;
+}
+
+/* Without a tree there is nothing to be stopped by. */
+static bool set_walls(struct flight *flight, const struct lim_scene *scene, struct error *err)
+{
+    const size_t mem_b = scene->limits.depth * sizeof *flight->stack;
+    if (lim_scene_is_mesh(scene)) return true;
+    flight->stack = malloc(mem_b + 1);
+    return (flight->stack && !lim_solid_init(&flight->solid, scene, flight->stack, mem_b)) ||
+           error_set(err, "out of memory");
+}
+
+bool flight_init(struct flight *flight, struct simulator *simulator, const struct lim_scene *scene,
+                 const struct lim_camera *camera, const struct grid *grid, struct moving *moving, struct error *err)
 {
     const double longest_side_units = 65534.0;
     double step_units = fmin(0.1 * grid->units_per_m, longest_side_units / 100.0);
     *flight = (struct flight){
         .simulator = simulator, .camera = *camera, .step_q8 = fmax(1.0, round(step_units * 256.0)), .moving = moving};
+    set_body(flight);
+    return set_walls(flight, scene, err);
+}
+
+void flight_free(struct flight *flight)
+{
+    free(flight->stack);
 }
 
 static double now_s(void)
@@ -42,10 +68,15 @@ bool flight_frame(struct flight *flight, struct error *err)
 static void move(struct flight *flight, const double direction[3])
 {
     double eye_q8[3];
+    int32_t way_q8[3];
     for (int i = 0; i < 3; i++) {
         eye_q8[i] = round(flight->camera.eye_q8[i] + flight->step_q8 * direction[i]);
         if (!(fabs(eye_q8[i]) < EYE_END_Q8)) return;
+        way_q8[i] = (int32_t)eye_q8[i] - flight->camera.eye_q8[i];
     }
+    if (flight->stack && !flight->through_walls &&
+        lim_slide(&flight->solid, flight->half_q8, flight->camera.eye_q8, way_q8, 0) >= 0)
+        return;
     for (int i = 0; i < 3; i++)
         flight->camera.eye_q8[i] = (int32_t)eye_q8[i];
 }
@@ -91,6 +122,9 @@ void flight_key(struct flight *flight, enum fly_key key)
         break;
     case FLY_LOOK_DOWN:
         look(flight, -(int32_t)TURN_STEP);
+        break;
+    case FLY_WALLS:
+        flight->through_walls = !flight->through_walls;
         break;
     case FLY_KEYS:
         break;

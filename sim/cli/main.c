@@ -43,7 +43,8 @@ static const struct command {
                 {"export", cmd_export, true},
                 {"worst", cmd_worst, true},
                 {"report", cmd_report, true},
-                {"wad", cmd_wad, false}};
+                {"wad", cmd_wad, false},
+                {"walk", cmd_walk, true}};
 
 /* --trust-paths and --no-textures, which mean the same to all commands that read models, are taken out. */
 static int take_common(int argc, char **argv)

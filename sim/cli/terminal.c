@@ -63,7 +63,7 @@ static const struct {
 } KEYS[] = {
     {"w", FLY_FORWARD},      {"s", FLY_BACK},           {"a", FLY_LEFT},           {"d", FLY_RIGHT},
     {"r", FLY_UP},           {"f", FLY_DOWN},           {"\x1B[D", FLY_TURN_LEFT}, {"\x1B[C", FLY_TURN_RIGHT},
-    {"\x1B[A", FLY_LOOK_UP}, {"\x1B[B", FLY_LOOK_DOWN},
+    {"\x1B[A", FLY_LOOK_UP}, {"\x1B[B", FLY_LOOK_DOWN}, {"x", FLY_WALLS},
 };
 
 static bool show(struct flight *flight, struct error *err)

@@ -31,6 +31,7 @@ enum {
     EXPORT = 1 << 18,
     WORST = 1 << 19,
     PAGE = 1 << 20,
+    WALK = 1 << 22, /* 21: wad, which takes none */
     ONE = WORST | PAGE,
     SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG | EXPORT,
     MODELS = SCENES | MEASURE | COMPARE | SPLITTERS | ONE,
@@ -88,6 +89,9 @@ static const struct usage_command COMMANDS[] = {
      "limner report house.obj -o house.html"},
     {"wad", "FILE.wad", "Lists a WAD's maps, each of which is a MODEL: FILE.wad:MAP, or IWAD.wad+PWAD.wad:MAP.",
      "limner wad freedoom1.wad"},
+    {"walk", "MODEL|SCENE.lim -o FILE.cam",
+     "Walks through a scene by itself, stopped by walls, up and down steps, to see all of it: cameras for render.",
+     "limner walk freedoom1.wad:E1M1 --frames 256 -o walk.cam"},
 };
 
 static const struct usage_entry ENTRIES[] = {
@@ -115,10 +119,12 @@ static const struct usage_entry ENTRIES[] = {
     {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS | ONE,
      "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; compile, render, view: that of --panel)\n"},
     {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km)\n"},
-    {MODELS, "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
-    {MODELS, "  --up y|z            which axis of the file is up (y; of STL files what the model stands on, else z)\n"
-             "  --reverse-faces     the file's faces run clockwise, seen from outside\n"
-             "  --two-sided         all faces are seen from both sides, as those of open models may have to be\n"},
+    {MODELS | WALK,
+     "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
+    {MODELS | WALK,
+     "  --up y|z            which axis of the file is up (y; of STL files what the model stands on, else z)\n"
+     "  --reverse-faces     the file's faces run clockwise, seen from outside\n"
+     "  --two-sided         all faces are seen from both sides, as those of open models may have to be\n"},
     {MODELS, "  --unlit             colours as they are in the model: no light is baked in\n"},
     {SCENES, "  --background RRGGBB  where no face is seen (000000)\n"},
     {SCENES,
@@ -130,10 +136,10 @@ static const struct usage_entry ENTRIES[] = {
     {SCENES | MEASURE | COMPARE,
      "  --delta             for sending what changes alone (render, view: sent so; --delta=RUNS: with memory for\n"
      "                      so many runs of one colour)\n"},
-    {MODELS | REPLAY,
+    {MODELS | REPLAY | WALK,
      "  --trust-paths       files that a MODEL names (materials, textures, buffers) may lie outside of its folder:\n"
      "                      paths with `..`, absolute ones, links (all commands that read a MODEL)\n"},
-    {MODELS | REPLAY,
+    {MODELS | REPLAY | WALK,
      "  --no-textures       faces have their materials' colours; without it a texture that cannot be read is an\n"
      "                      error (all commands that read a MODEL)\n"},
     {0, "compile and measure, for a MODEL:\n"},
@@ -235,6 +241,17 @@ static const struct usage_entry ENTRIES[] = {
           "  --tries N           cameras for what costs most, a tenth as many for what errs most (2000)\n"
           "  --seed N            of the search (0)\n"},
     {ONE | ALONE, "  --core LIST         processors to count instructions on: m0plus, m3, m4, m33, rv32 (none)\n"},
+    {0, "walk, which takes what says how a MODEL is to be read:\n"},
+    {WALK, "  -o FILE.cam         the cameras, a line a frame\n"
+           "  --frames N          so many (256)\n"
+           "  --stride M          from one to the next, metres (0.25)\n"
+           "  --from X,Y,Z        where the eye begins, over ground (a map's first player; else where most can be\n"
+           "                      reached from)\n"
+           "  --heading DEG       where it looks then: 0 along -z, 90 along -x (0)\n"
+           "  --eye M             above its feet (1.6; in maps, as the next three, a player's: 1.28)\n"
+           "  --height M          of the walker (1.75)\n"
+           "  --radius M          half of its width, which is more than what the near plane reaches (0.25; 0.5)\n"
+           "  --step M            how high a step it climbs (0.4; 0.75)\n"},
     {0, "splitters: --tree, --tolerance, --size, --near, --unlit, --keep-faces as above\n"},
     {0, "play: what view takes, but for a MODEL's own panel; loops until it is ended, unless there is --frames\n"},
     {MODULES, "  --panel NAME        the display's controller, as render's --panel, perhaps with a format\n"},
@@ -304,7 +321,7 @@ static const struct usage_entry ENTRIES[] = {
     {0, "replay:\n"},
     {REPLAY, "  -o FILE             the report anew, with what comes out now\n"},
     {0, "all that take a MODEL, which may be a map of Doom or Freedoom, FILE.wad:MAP or IWAD.wad+PWAD.wad:MAP:\n"},
-    {MODELS | REPLAY,
+    {MODELS | REPLAY | WALK,
      "  --time-limit SECONDS  then the best so far counts, said as such; nothing yet is an error (600, or\n"
      "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly\n"},
     {0, "environment, render and view:\n"},

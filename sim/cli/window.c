@@ -76,7 +76,7 @@ static bool window_show(struct window *window, const struct film *frame, struct 
 }
 
 /* Takes what has happened since; false when the user wants to leave. Exposed windows redraw. */
-static bool take_events(bool *changed)
+static bool take_events(struct flight *flight, bool *changed)
 {
     for (SDL_Event event; SDL_PollEvent(&event);) {
         if (event.type == SDL_QUIT) return false;
@@ -84,6 +84,7 @@ static bool take_events(bool *changed)
         if (event.type != SDL_KEYDOWN) continue;
         SDL_Scancode key = event.key.keysym.scancode;
         if (key == SDL_SCANCODE_ESCAPE || key == SDL_SCANCODE_Q) return false;
+        if (key == SDL_SCANCODE_X && !event.key.repeat) flight_key(flight, FLY_WALLS);
     }
     return true;
 }
@@ -102,7 +103,7 @@ static bool take_keys(struct flight *flight)
 
 static bool fly_in(struct window *window, struct flight *flight, struct error *err)
 {
-    for (bool changed = true; take_events(&changed); SDL_Delay(FRAME_MS)) {
+    for (bool changed = true; take_events(flight, &changed); SDL_Delay(FRAME_MS)) {
         changed |= take_keys(flight) || flight->moving;
         if (!changed) continue;
         if (!flight_frame(flight, err)) return false;

@@ -24,8 +24,9 @@ static const char *const SETTLED[] = {"LIM_HAS_",     "LIM_PROFILE", "LIM_SUB_BI
 static const char *const FOLDERS[] = {"firmware/", "hal/", "boards/common/", NULL};
 
 /* In which order its rooms are joined, the lowest first; then what knows them all. */
-static const char *const ROOMS[] = {"math/",   "view/",   "screen/", "pixels/", "lines/",
+static const char *const ROOMS[] = {"math/",   "view/",   "touch/",  "screen/", "pixels/", "lines/",
                                     "movers/", "pieces/", "routes/", "orders/", ""};
+static const char TREE_ROOM[] = "touch/"; /* of scenes with a tree */
 
 /* An estimate, on the safe side of what is told: the smallest renderer with a driver. */
 enum { LEAST_CODE_B = 8192 };
@@ -61,6 +62,14 @@ static bool add_settings(const struct export_plan *plan, struct amalgam *joined,
     return ok;
 }
 
+static bool has_tree(const struct export_plan *plan)
+{
+    bool has = false;
+    for (size_t i = 0; i < plan->count; i++)
+        has = has || plan->scenes[i].scene->scene.node_count > 0;
+    return has;
+}
+
 static bool write_header(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
     fprintf(out,
@@ -71,6 +80,7 @@ static bool write_header(const struct export_plan *plan, struct amalgam *joined,
     if (conditions_ask(&joined->conditions, "LIM_HAS_OVERLAY") == KNOWN_TRUE &&
         (!amalgam_add(joined, "firmware/overlay.h", out, err) || !amalgam_add(joined, "firmware/text.h", out, err)))
         return false;
+    if (has_tree(plan) && !amalgam_add(joined, "firmware/collide.h", out, err)) return false;
     fputs("\n#endif\n", out);
     return true;
 }
@@ -87,7 +97,7 @@ static bool add_room(const char *room, struct amalgam *joined, FILE *out, struct
     return true;
 }
 
-static bool write_renderer(struct amalgam *joined, FILE *out, struct error *err)
+static bool write_renderer(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
     fputs("/* The renderer whose header is limner.h; written by `limner export` from the files that are named below. "
           "MIT\n"
@@ -95,7 +105,7 @@ static bool write_renderer(struct amalgam *joined, FILE *out, struct error *err)
           out);
     fputs(EXPORT_UNUSED, out);
     for (size_t i = 0; i < sizeof ROOMS / sizeof *ROOMS; i++)
-        if (!add_room(ROOMS[i], joined, out, err)) return false;
+        if ((has_tree(plan) || strcmp(ROOMS[i], TREE_ROOM) != 0) && !add_room(ROOMS[i], joined, out, err)) return false;
     return true;
 }
 
@@ -114,8 +124,7 @@ static bool put_part(const struct export_plan *plan, const char *folder, const c
 
 static bool renderer_part(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)
 {
-    (void)plan;
-    return write_renderer(joined, out, err);
+    return write_renderer(plan, joined, out, err);
 }
 
 static bool display_header_part(const struct export_plan *plan, struct amalgam *joined, FILE *out, struct error *err)

@@ -59,6 +59,9 @@ static void write_memory(FILE *file, const struct compiled *scene, const struct 
     if (scene->scene.place_count)
         fprintf(file, " + LIM_PORTALS_MEM_B(%u, %u)", (unsigned)scene->scene.box_count, (unsigned)limits.depth);
     fputs(")\n", file);
+    if (scene->scene.node_count)
+        fprintf(file, "#define %s_SCENE_DEPTH %u /* how many lim_index lim_solid_init() takes: collide.h */\n", macro,
+                scene->scene.limits.depth ? (unsigned)scene->scene.limits.depth : 1u);
     if (scene->report.delta_runs)
         fprintf(file,
                 "#define %s_SCENE_DELTA_MEM_B(w_px, h_px) LIM_DELTA_MEM_B(w_px, h_px, %u) /* for lim_set_delta() */\n",
@@ -201,6 +204,11 @@ static bool tells_changes(const struct named_scene *scene)
     return scene->scene->report.delta_runs > 0;
 }
 
+static bool has_tree(const struct named_scene *scene)
+{
+    return scene->scene->scene.node_count > 0;
+}
+
 static size_t count_of(const struct named_scene *scenes, size_t count, has_part *has)
 {
     size_t having = 0;
@@ -238,6 +246,7 @@ static bool write_shared_memory(FILE *file, const struct named_scene *scenes, si
     fprintf(file, "#define %s_LARGER(a, b) ((a) > (b) ? (a) : (b))\n", macro);
     if (!write_greatest(file, scenes, count, macro, "SCENE_MEM_B(h_px)", is_any, err) ||
         !write_greatest(file, scenes, count, macro, "SCENE_LINES(h_px)", is_any, err) ||
+        !write_greatest(file, scenes, count, macro, "SCENE_DEPTH", has_tree, err) ||
         !write_greatest(file, scenes, count, macro, "SCENE_DELTA_MEM_B(w_px, h_px)", tells_changes, err) ||
         !write_greatest(file, scenes, count, macro, "MOVERS_MEM_B", moves, err))
         return false;

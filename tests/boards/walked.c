@@ -20,6 +20,8 @@ struct walked {
     struct camera_path path;
     struct simulator simulator;
     struct walker walker;
+    struct lim_solid solid;
+    lim_index *stack;
     uint64_t hashes[FRAMES_MAX];
     size_t count;
 };
@@ -38,6 +40,16 @@ static bool draw(struct walked *walked, uint8_t buttons, struct error *err)
     return true;
 }
 
+static bool meet_walls(struct walked *walked)
+{
+    const struct lim_scene *scene = &walked->scene.scene;
+    const size_t mem_b = (scene->limits.depth + 1u) * sizeof *walked->stack;
+
+    walked->stack = malloc(mem_b);
+    walker_set_solid(&walked->walker, &walked->solid);
+    return walked->stack && !lim_solid_init(&walked->solid, scene, walked->stack, mem_b);
+}
+
 static bool run(struct walked *walked, int argc, char **argv, struct error *err)
 {
     const struct options *options = &walked->options;
@@ -47,6 +59,7 @@ static bool run(struct walked *walked, int argc, char **argv, struct error *err)
         !options_load(options, &walked->scene, &walked->moving, &walked->lens, &walked->path, err) ||
         !simulator_init_on(&walked->simulator, &walked->scene.scene, &options->setup, &options->panel, err))
         return false;
+    if (!meet_walls(walked)) return error_set(err, "the scene has no tree");
     while (scanf("%u", &buttons) == 1)
         if (!draw(walked, (uint8_t)buttons, err)) return false;
     return hashes_write(walked->hashes, walked->count, stdout) || error_set(err, "hashes cannot be written");
@@ -60,6 +73,7 @@ int main(int argc, char **argv)
 
     if (!ok) fprintf(stderr, "walked: %s\n", err.text);
     simulator_free(&walked.simulator);
+    free(walked.stack);
     camera_path_free(&walked.path);
     moving_free(&walked.moving);
     compiled_free(&walked.scene);

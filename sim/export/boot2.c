@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/boot2.h"
+#include "export/boot2.h"
 
 #include <string.h>
 
