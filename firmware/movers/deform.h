@@ -10,7 +10,7 @@
 #include "stages.h"
 #include "view/plane_unpacked.h"
 
-#define LIM_HAS_CORNER_PLANES (LIM_HAS_DEFORM || (LIM_HAS_MOVERS && LIM_HAS_MESH_LEAVES))
+#define LIM_HAS_CORNER_PLANES (LIM_HAS_DEFORM || LIM_HAS_MESH_LEAVES)
 
 /* Whether the instance deforms; a constant where none can. */
 static inline bool lim_deforms(const struct lim_instance *instance)

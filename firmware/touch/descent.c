@@ -12,6 +12,8 @@
  * is shifted and the slack is not: it grows with the distance. */
 #include "touch/descent.h"
 
+#include "movers/deform.h"
+
 #define DESCENT_SLACK (INT32_C(3) << 16)
 enum { AXIS_SLACK_Q8 = 5 * 256, BOX_SLACK = 4, RAY_WAY_BITS = 13 };
 
@@ -207,6 +209,14 @@ uint32_t lim_part_q30(uint64_t num, uint64_t den)
         den = (den >> 1) + 1;
     }
     return (uint32_t)((num << 30) / den);
+}
+
+bool lim_descent_plane(struct lim_plane_unpacked *plane, const struct lim_scene *scene,
+                       const LIM_FLASH lim_index *record)
+{
+    if (LIM_HAS_MESH_LEAVES && !(record[0] & LIM_POLYGON_PLANE)) return lim_deform_plane(plane, scene, record);
+    lim_plane_unpack(plane, scene, lim_record_plane(record));
+    return true;
 }
 
 void lim_hit_normal(const int32_t axis[3], bool other_way, int16_t normal[3])

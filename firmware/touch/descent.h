@@ -11,6 +11,7 @@
 
 #include "collide.h"
 #include "math/fixed.h"
+#include "view/plane_unpacked.h"
 
 /* An end of the way. */
 struct lim_descent_end {
@@ -41,6 +42,11 @@ void lim_descent_shorten(struct lim_descent *descent, const int32_t way_q8[3], u
 
 /* The next node that has polygons, or NULL. */
 const LIM_FLASH struct lim_node *lim_descent_next(struct lim_descent *descent);
+
+/* The plane of a leaf's record; of a mesh leaf's that of its corners, whose front they run around counter-clockwise.
+ * false: they lie on a line. */
+bool lim_descent_plane(struct lim_plane_unpacked *plane, const struct lim_scene *scene,
+                       const LIM_FLASH lim_index *record);
 
 /* How far along, 0..1, num / den is, rounded down by 2^-29 at most: 0 <= num <= den, 0 < den. */
 uint32_t lim_part_q30(uint64_t num, uint64_t den);

@@ -53,10 +53,9 @@ static int32_t along(const struct ray *ray, uint_fast8_t axis, uint32_t part_q30
     return ray->from_q8[axis] + lim_part_of(ray->way_q8[axis], part_q30);
 }
 
-/* false: the ray crosses it not at all. */
-static bool cross_plane(const struct ray *ray, const LIM_FLASH struct lim_plane_ref *ref, struct ray_crossing *crossing)
+/* false: the ray does not cross crossing->plane. */
+static bool cross_plane(const struct ray *ray, struct ray_crossing *crossing)
 {
-    lim_plane_unpack(&crossing->plane, ray->scene, ref);
     const int64_t from = ray_value(&crossing->plane, ray->from_q8), to = ray_value(&crossing->plane, ray->to_q8);
 
     if (from == to || (from > 0 && to > 0) || (from < 0 && to < 0)) return false;
@@ -211,7 +210,8 @@ static void try_node(struct ray *ray, const LIM_FLASH struct lim_node *node)
     struct ray_crossing crossing;
     bool placed = false;
 
-    if (!cross_plane(ray, &node->split, &crossing) || !crosses_nearer(ray, &crossing)) return;
+    lim_plane_unpack(&crossing.plane, ray->scene, &node->split);
+    if (!cross_plane(ray, &crossing) || !crosses_nearer(ray, &crossing)) return;
     try_run(ray, &crossing, node->front_run, false, &placed);
     if (crosses_nearer(ray, &crossing)) try_run(ray, &crossing, node->back_run, true, &placed);
 }
@@ -224,7 +224,7 @@ static void try_leaf(struct ray *ray, const LIM_FLASH struct lim_node *node)
     for (;; record += lim_record_words(record[0])) {
         const bool back = record[0] & LIM_POLYGON_BACK;
         struct ray_crossing crossing;
-        if (cross_plane(ray, lim_record_plane(record), &crossing) &&
+        if (lim_descent_plane(&crossing.plane, ray->scene, record) && cross_plane(ray, &crossing) &&
             (crossing.from_back == back || (ray->backs && crossing.num)) && crosses_nearer(ray, &crossing)) {
             place_crossing(ray, &crossing);
             if (is_inside(ray, &crossing, record)) note_hit(ray, &crossing, record);

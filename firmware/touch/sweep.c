@@ -83,9 +83,9 @@ static void sweep_leaf(struct sweep *sweep, const LIM_FLASH struct lim_node *nod
         const bool back = record[0] & LIM_POLYGON_BACK;
         struct lim_plane_unpacked plane;
         int32_t side;
-        lim_plane_unpack(&plane, sweep->box.scene, lim_record_plane(record));
+        const bool has_plane = lim_descent_plane(&plane, sweep->box.scene, record);
         begins_behind(sweep, &plane, &side);
-        if (stops(sweep, back, side)) try_record(sweep, record, &plane, side ? side < 0 : back);
+        if (has_plane && stops(sweep, back, side)) try_record(sweep, record, &plane, side ? side < 0 : back);
         if (record[0] & LIM_POLYGON_LAST) return;
     }
 }

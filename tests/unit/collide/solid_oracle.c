@@ -7,6 +7,26 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* That of the first three corners, of a record of a mesh leaf. */
+static void plane_of_corners(const struct lim_scene *scene, const lim_index *corners, int64_t n[3], int64_t *d)
+{
+    int64_t at[3][3];
+
+    for (int k = 0; k < 3; k++) {
+        const struct lim_vertex *v = &scene->vertices[corners[k]];
+        at[k][0] = v->x;
+        at[k][1] = v->y;
+        at[k][2] = v->z;
+    }
+    *d = 0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        n[i] = (at[1][j] - at[0][j]) * (at[2][k] - at[0][k]) - (at[1][k] - at[0][k]) * (at[2][j] - at[0][j]);
+        if (llabs(n[i]) >= INT64_C(1) << 29) abort(); /* the renderer has 29 bits for one */
+        *d += n[i] * at[0][i];
+    }
+}
+
 static void add_run(struct solid_list *list, lim_index run, bool back, const struct lim_plane_ref *plane)
 {
     const struct lim_scene *scene = list->scene;
@@ -21,7 +41,10 @@ static void add_run(struct solid_list *list, lim_index run, bool back, const str
                                      .count = at[0] & LIM_POLYGON_COUNT,
                                      .low = {INT16_MAX, INT16_MAX, INT16_MAX},
                                      .high = {INT16_MIN, INT16_MIN, INT16_MIN}};
-        plane_exact(scene, own, to->n, &to->d);
+        if (own->plane == LIM_NO_INDEX)
+            plane_of_corners(scene, to->corners, to->n, &to->d);
+        else
+            plane_exact(scene, own, to->n, &to->d);
         for (size_t k = 0; k < to->count; k++) {
             const struct lim_vertex *v = &scene->vertices[to->corners[k]];
             const int16_t xyz[3] = {v->x, v->y, v->z};

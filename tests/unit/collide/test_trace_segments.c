@@ -241,9 +241,10 @@ static void try_stage(struct stage *stage, int whole, const char *name)
     assert_true(tally.hits > tally.segments / 10);
 }
 
-static void try_model(const char *path, enum tree_kind tree, int whole)
+static void try_leaves(const char *path, enum tree_kind tree, enum mesh_leaves leaves, int whole)
 {
-    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .tree = tree, .unlit = true};
+    const struct compile_options options = {
+        .tolerance_units = 0.5, .splitter = "fewest", .tree = tree, .mesh_leaves = leaves, .unlit = true};
     struct stage stage = {0};
     struct error err;
     char name[200];
@@ -253,6 +254,11 @@ static void try_model(const char *path, enum tree_kind tree, int whole)
     snprintf(name, sizeof name, "%s, %s", path, tree_names[tree]);
     try_stage(&stage, whole, name);
     stage_end(&stage);
+}
+
+static void try_model(const char *path, enum tree_kind tree, int whole)
+{
+    try_leaves(path, tree, MESH_LEAVES_NONE, whole);
 }
 
 static void rooms_stop_what_they_should(void **state)
@@ -269,6 +275,7 @@ static void solids_and_crossing_polygons_do(void **state)
     try_model("sim/scenes/teapot.obj", TREE_BSP, 10000);
     try_model("sim/scenes/teapot.obj", TREE_CLUSTERS, 20000);
     try_model("sim/scenes/knot.obj", TREE_BSP, 10000);
+    try_leaves("sim/scenes/teapot.obj", TREE_BSP, MESH_LEAVES_ALL, 10000);
 }
 
 static void a_level_does(void **state)
