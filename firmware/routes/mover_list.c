@@ -7,6 +7,7 @@
 #include "eye.h"
 #include "movers/deform.h"
 #include "pieces/entry.h"
+#include "routes/mover_part.h"
 #include "routes/route.h"
 #include "view/cull.h"
 
@@ -71,9 +72,18 @@ uint16_t lim_movers_list(struct lim_sorter *sorter, const struct lim_cull *open)
 
 /* Polygons ----------------------------------------------------------------------------------- */
 
+/* What of a new entry belongs to a part; NULL: all does. */
+static void add_share(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_part *part, uint16_t entry)
+{
+    if (part && part->cuts != LIM_NONE && lim_part_take(part, sorter, entry) == LIM_PART_NOTHING)
+        sorter->used--;
+    else
+        lim_queue_add(queue, entry);
+}
+
 /* false: no room. */
-static bool add_run(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_route *route, uint16_t mover,
-                    lim_index at)
+static bool add_run(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_route *route,
+                    const struct lim_part *part, uint16_t mover, lim_index at)
 {
     for (;;) {
         const LIM_FLASH lim_index *record = &route->scene->polygons[at];
@@ -83,7 +93,7 @@ static bool add_run(struct lim_sorter *sorter, struct lim_queue *queue, const st
             if (entry == LIM_NONE) return false;
             sorter->newell->polygons[entry].eye_in_front =
                 LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : route->side > 0;
-            lim_queue_add(queue, entry);
+            add_share(sorter, queue, part, entry);
         }
         if (head & LIM_POLYGON_LAST) return true;
         at = (lim_index)(at + lim_record_words(head));
@@ -91,7 +101,8 @@ static bool add_run(struct lim_sorter *sorter, struct lim_queue *queue, const st
 }
 
 /* Every record, wherever in the tree it is: it knows its own plane. */
-static LIM_IF_CALLED bool add_deformed(struct lim_sorter *sorter, struct lim_queue *queue, uint16_t mover)
+static LIM_IF_CALLED bool add_deformed(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_part *part,
+                                       uint16_t mover)
 {
     const struct lim_scene *object = sorter->movers->instances[mover].object;
 
@@ -101,21 +112,21 @@ static LIM_IF_CALLED bool add_deformed(struct lim_sorter *sorter, struct lim_que
             const uint16_t entry = lim_entry_new(sorter, at, mover, 0);
             if (entry == LIM_NONE) return false;
             sorter->newell->polygons[entry].eye_in_front = true;
-            lim_queue_add(queue, entry);
+            add_share(sorter, queue, part, entry);
         }
         at = (lim_index)(at + lim_record_words(record[0]));
     }
     return true;
 }
 
-static bool add_by_tree(struct lim_sorter *sorter, struct lim_queue *queue, uint16_t mover)
+static bool add_by_tree(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_part *part, uint16_t mover)
 {
     const struct lim_rect screen = {0, 0, sorter->pass->target.w_px, sorter->pass->target.h_px};
     struct lim_route route = lim_route_object(sorter, mover, &screen, false);
     lim_index run;
 
     while ((run = lim_route_next_alone(&route)) != LIM_NO_INDEX)
-        if (!add_run(sorter, queue, &route, mover, run)) return false;
+        if (!add_run(sorter, queue, &route, part, mover, run)) return false;
     return true;
 }
 
@@ -125,10 +136,12 @@ bool lim_mover_burst(struct lim_sorter *sorter, uint16_t entry, uint16_t *list)
     const uint16_t mover = lim_entry_owner(sorter, entry);
     const bool deforms = lim_deforms(&sorter->movers->instances[mover]);
     uint16_t head;
+    struct lim_part part;
     struct lim_queue queue = lim_queue_begin(sorter, &head);
 
-    const bool has_room =
-        LIM_HAS_DEFORM && deforms ? add_deformed(sorter, &queue, mover) : add_by_tree(sorter, &queue, mover);
+    lim_part_begin(&part, sorter, entry);
+    const bool has_room = LIM_HAS_DEFORM && deforms ? add_deformed(sorter, &queue, &part, mover)
+                                                    : add_by_tree(sorter, &queue, &part, mover);
 
     if (!has_room) {
         sorter->used = used;
@@ -156,7 +169,7 @@ bool lim_movers_join(struct lim_sorter *sorter, lim_index run, uint16_t list)
     struct lim_queue queue = lim_queue_begin(sorter, &head);
 
     if (has_centres(sorter, list)) return false;
-    if (!add_run(sorter, &queue, &leaf, LIM_NONE, run)) {
+    if (!add_run(sorter, &queue, &leaf, NULL, LIM_NONE, run)) {
         sorter->used = used;
         return false;
     }

@@ -15,6 +15,7 @@
 #include "pieces/sorter.h"
 #include "pieces/trace.h"
 #include "routes/mover_list.h"
+#include "routes/mover_part.h"
 #include "routes/route.h"
 #include "screen/project.h"
 
@@ -268,13 +269,32 @@ static const LIM_FLASH lim_index *last_record(const LIM_FLASH lim_index *record)
     return record;
 }
 
-static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, uint16_t mover, lim_index run,
-                    const struct lim_rect *open, lim_mover_draw *draw, void *ctx)
+/* What of a polygon belongs to a part. The part's entry stands for it meanwhile, for the polygon's own to be cut. */
+static int draw_share(struct lim_sorter *sorter, uint16_t entry, const struct lim_part *part, const struct face *face,
+                      const struct lim_rect *open, lim_mover_draw *draw, void *ctx)
+{
+    const uint16_t cuts_used = sorter->newell->cuts_used;
+    struct lim_screen_polygon polygon;
+    int err = 0;
+
+    sorter->list[entry].record = (lim_index)(face->record - sorter->movers->instances[face->mover].object->polygons);
+    const enum lim_part_share share = lim_part_take(part, sorter, entry);
+    if (share != LIM_PART_NOTHING && mover_order_project(sorter, &polygon, face, open)) {
+        const bool is_cut = share == LIM_PART_PIECE && lim_trace_is_needed(sorter, entry, &polygon);
+        err = draw(ctx, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
+    }
+    sorter->newell->cuts_used = cuts_used;
+    return err;
+}
+
+static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, uint16_t entry,
+                    const struct lim_part *part, lim_index run, const struct lim_rect *open, lim_mover_draw *draw,
+                    void *ctx)
 {
     const LIM_FLASH lim_index *const first = &route->scene->polygons[run];
     const LIM_FLASH lim_index *record = route->back_to_front ? last_record(first) : first;
     struct lim_screen_polygon polygon;
-    struct face face = {.plane = &route->scene->nodes[route->node].split, .mover = mover};
+    struct face face = {.plane = &route->scene->nodes[route->node].split, .mover = lim_entry_owner(sorter, entry)};
 
     while (record) {
         face.record = record;
@@ -283,8 +303,12 @@ static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, ui
             face.plane = lim_record_plane(record);
             face.eye_in_front = !(record[0] & LIM_POLYGON_BACK);
         }
-        if (lim_record_is_seen(route->eye, record) && mover_order_project(sorter, &polygon, &face, open)) {
-            const int err = draw(ctx, LIM_NONE, &polygon, open);
+        if (lim_record_is_seen(route->eye, record)) {
+            int err = 0;
+            if (part->cuts != LIM_NONE)
+                err = draw_share(sorter, entry, part, &face, open, draw, ctx);
+            else if (mover_order_project(sorter, &polygon, &face, open))
+                err = draw(ctx, LIM_NONE, &polygon, open);
             if (err) return err;
         }
         record = route->back_to_front ? record_before(first, record) : record_after(record);
@@ -292,18 +316,21 @@ static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, ui
     return 0;
 }
 
-/* By the order of its own tree. */
-static int draw_whole(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open, bool back_to_front,
+/* By the order of its own tree: all of it, or a part. */
+static int draw_whole(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, bool back_to_front,
                       lim_mover_draw *draw, void *ctx)
 {
-    struct lim_route route = lim_route_object(sorter, mover, open, back_to_front);
+    struct lim_route route = lim_route_object(sorter, lim_entry_owner(sorter, entry), open, back_to_front);
+    struct lim_part part;
     lim_index run;
+    int err = 0;
 
-    while ((run = lim_route_next_alone(&route)) != LIM_NO_INDEX) {
-        const int err = draw_run(sorter, &route, mover, run, open, draw, ctx);
-        if (err) return err;
-    }
-    return 0;
+    lim_part_begin(&part, sorter, entry);
+    while (!err && (run = lim_route_next_alone(&route)) != LIM_NO_INDEX)
+        err = draw_run(sorter, &route, entry, &part, run, open, draw, ctx);
+    sorter->list[entry].record = LIM_NO_INDEX;
+    sorter->newell->polygons[entry].cuts = part.cuts;
+    return err;
 }
 
 /* A polygon of a leaf that movers have come to. */
@@ -334,9 +361,8 @@ int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_r
                     lim_mover_draw *draw, void *ctx)
 {
     for (; list != LIM_NONE; list = sorter->list[list].next) {
-        const int err = lim_mover_is_whole(sorter, list)
-                            ? draw_whole(sorter, lim_entry_owner(sorter, list), open, back_to_front, draw, ctx)
-                            : draw_entry(sorter, list, open, draw, ctx);
+        const int err = lim_mover_is_whole(sorter, list) ? draw_whole(sorter, list, open, back_to_front, draw, ctx)
+                                                         : draw_entry(sorter, list, open, draw, ctx);
         if (err) return err;
     }
     return 0;
