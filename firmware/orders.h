@@ -160,6 +160,7 @@ static inline bool lim_moves(const struct lim_sorter *sorter)
 struct lim_route {
     struct lim_sorter *sorter; /* of the lists */
     const struct lim_scene *scene;
+    uint16_t mover; /* that is walked through, or LIM_NONE: the static scene */
     const struct lim_eye *eye;
     struct lim_cull *cull; /* the open view in the scene's coordinates */
     const uint8_t *shown;  /* NULL: all (portals.h) */

@@ -15,6 +15,7 @@
 #include "pieces/sorter.h"
 #include "pieces/trace.h"
 #include "routes/mover_list.h"
+#include "routes/mover_merge.h"
 #include "routes/mover_part.h"
 #include "routes/route.h"
 #include "screen/project.h"
@@ -185,25 +186,56 @@ static bool has_still(const struct lim_sorter *sorter, uint16_t list)
     return false;
 }
 
-static uint16_t order_group(struct lim_sorter *sorter, uint16_t group)
+/* Takes the first of several lists, which ends with what is marked. */
+static uint16_t take_marked(struct lim_sorter *sorter, uint16_t *lists)
 {
-    const bool is_one = sorter->list[last_of(sorter, group)].next == LIM_NONE;
+    const uint16_t first = *lists;
+    uint16_t last = first;
 
-    return is_one && !deforms(sorter, group) ? group : sort(sorter, group);
+    while (!sorter->newell->polygons[last].last && sorter->list[last].next != LIM_NONE)
+        last = sorter->list[last].next;
+    sorter->newell->polygons[last].last = false;
+    *lists = sorter->list[last].next;
+    sorter->list[last].next = LIM_NONE;
+    return first;
+}
+
+/* The link at the end of what another one leads to, of which the last entry is marked or not. */
+static uint16_t *end_of(struct lim_sorter *sorter, uint16_t *link, bool marked)
+{
+    while (*link != LIM_NONE) {
+        const uint16_t entry = *link;
+        link = &sorter->list[entry].next;
+        if (marked && *link == LIM_NONE) sorter->newell->polygons[entry].last = true;
+    }
+    return link;
+}
+
+/* Puts in their place those of the objects at *link that may come first. Returns the link behind them; or `link`, if
+ * they are to be ordered once more. */
+static uint16_t *order_next(struct lim_sorter *sorter, uint16_t *link)
+{
+    uint16_t rest = *link, list = take_marked(sorter, &rest);
+
+    find_group(sorter, list);
+    *link = take_group(sorter, &list);
+    const bool is_one = sorter->list[*link].next == LIM_NONE;
+    const bool is_merged = !is_one && lim_movers_merge(sorter, link);
+    if (!is_merged && (!is_one || deforms(sorter, *link))) *link = sort(sorter, *link);
+    uint16_t *const behind = end_of(sorter, link, false);
+    *behind = list;
+    *end_of(sorter, behind, true) = rest;
+    return is_merged ? link : behind;
 }
 
 uint16_t lim_movers_order(struct lim_sorter *sorter, uint16_t list, bool back_to_front)
 {
-    uint16_t ordered = LIM_NONE, *end = &ordered;
+    uint16_t *link = &list;
 
     if (has_still(sorter, list)) return order_to(sorter, sort(sorter, list), back_to_front);
-    while (list != LIM_NONE) {
-        find_group(sorter, list);
-        *end = order_group(sorter, take_group(sorter, &list));
-        while (*end != LIM_NONE)
-            end = &sorter->list[*end].next;
-    }
-    return order_to(sorter, ordered, back_to_front);
+    while (*link != LIM_NONE)
+        link = lim_mover_is_whole(sorter, *link) ? order_next(sorter, link) : &sorter->list[*link].next;
+    return order_to(sorter, list, back_to_front);
 }
 
 /* Drawing ------------------------------------------------------------------------------------ */

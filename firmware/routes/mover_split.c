@@ -18,8 +18,11 @@
 /* Planes ------------------------------------------------------------------------------------- */
 
 struct divider {
-    struct lim_plane_unpacked plane;
+    struct lim_plane_unpacked plane; /* in the static scene */
+    struct lim_plane_unpacked own;   /* as the route's scene has it */
+    const LIM_FLASH struct lim_plane_ref *ref;
     lim_index node;
+    uint16_t mover; /* of which the node is, or LIM_NONE */
     uint16_t entry; /* the plane's own, once it has cut something */
     int32_t eye_side;
 };
@@ -102,12 +105,12 @@ static uint8_t sides_of_vertices(const struct lim_sorter *sorter, uint16_t owner
     return sides;
 }
 
-static bool is_one_plane(const struct lim_sorter *sorter, uint16_t by, lim_index node)
+static bool is_one_plane(const struct lim_sorter *sorter, uint16_t by, const struct divider *divider)
 {
-    const LIM_FLASH struct lim_plane_ref *a = lim_plane_of(sorter, by);
-    const LIM_FLASH struct lim_plane_ref *b = &sorter->pass->scene->nodes[node].split;
+    const LIM_FLASH struct lim_plane_ref *ref = lim_plane_of(sorter, by);
 
-    return a->plane == b->plane && a->offset == b->offset;
+    return ref->plane == divider->ref->plane && ref->offset == divider->ref->offset &&
+           lim_entry_owner(sorter, by) == divider->mover;
 }
 
 /* Of a part that the same plane has cut before; else 0. */
@@ -117,7 +120,7 @@ static uint8_t side_cut_to(const struct lim_sorter *sorter, uint16_t entry, cons
 
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         const uint16_t by = newell->cuts[cut].by;
-        if (is_one_plane(sorter, by & LIM_SORTED_MAX, divider->node))
+        if (is_one_plane(sorter, by & LIM_SORTED_MAX, divider))
             return by & LIM_CUT_FRONT ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
     }
     return 0;
@@ -171,6 +174,29 @@ static struct lim_reach reach_of(const struct lim_sorter *sorter, uint16_t entry
     return reach;
 }
 
+/* The same along the axes of another mover, in units of that: of the box that turns with the instance. */
+static struct lim_reach reach_beside(const struct lim_movers *movers, uint16_t mover, uint16_t beside)
+{
+    const struct lim_instance *instance = &movers->instances[mover], *axes = &movers->instances[beside];
+    struct lim_reach reach;
+    int32_t away_q12[3];
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        away_q12[i] = movers->movers[mover].centre_q12[i] - axes->at_q8[i] * 16;
+    for (uint_fast8_t j = 0; j < 3; j++) {
+        int64_t half_q42 = 0;
+        for (uint_fast8_t k = 0; k < 3; k++) {
+            const int32_t along_q30 = (int32_t)(lim_along_axis(axes, j, &instance->axes_q30[3 * k]) >> 30);
+            half_q42 += (int64_t)abs_s32(along_q30) * movers->movers[mover].own_half_q12[k];
+        }
+        const int32_t centre_q12 = (int32_t)(lim_along_axis(axes, j, away_q12) >> 30);
+        const int32_t half_q12 = (int32_t)(half_q42 >> 30) + 16; /* for what is rounded */
+        reach.low_q12[j] = (centre_q12 - half_q12) * (INT32_C(1) << axes->finer_bits);
+        reach.high_q12[j] = (centre_q12 + half_q12) * (INT32_C(1) << axes->finer_bits);
+    }
+    return reach;
+}
+
 /* Whether the shaft meets another entry. */
 static bool meets_entry(struct lim_sorter *sorter, const struct lim_shaft *shaft, uint16_t entry)
 {
@@ -189,12 +215,13 @@ static bool has_order_with(const struct lim_sorter *sorter, uint16_t entry, uint
 }
 
 /* Whether anything else of the list that reaches to `side` is in the way. */
-static bool meets_list(struct lim_sorter *sorter, const struct lim_shaft *shaft, uint16_t list, uint16_t entry,
-                       uint8_t side)
+static bool meets_list(struct lim_sorter *sorter, const struct lim_shaft *shaft, const struct divider *divider,
+                       uint16_t list, uint16_t entry, uint8_t side)
 {
     for (; list != LIM_NONE; list = sorter->list[list].next) {
         if (list == entry || !(sides_at(sorter, list) & side)) continue;
-        if (meets_entry(sorter, shaft, list) && !has_order_with(sorter, entry, list, shaft->is_shadow)) return true;
+        if (divider->mover == LIM_NONE && !meets_entry(sorter, shaft, list)) continue;
+        if (!has_order_with(sorter, entry, list, shaft->is_shadow)) return true;
     }
     return false;
 }
@@ -208,10 +235,10 @@ static bool stays(struct lim_sorter *sorter, const struct divider *divider, cons
     struct lim_shaft shaft;
 
     if (goes_near)
-        lim_shaft_set(&shaft, route->eye, reach, &divider->plane, front_is_near);
-    else if (!lim_shadow_set(&shaft, route->eye, reach, &divider->plane, front_is_near))
+        lim_shaft_set(&shaft, route->eye, reach, &divider->own, front_is_near);
+    else if (!lim_shadow_set(&shaft, route->eye, reach, &divider->own, front_is_near))
         return false;
-    return !meets_list(sorter, &shaft, list, entry, other) &&
+    return !meets_list(sorter, &shaft, divider, list, entry, other) &&
            !lim_shaft_meets_scene(&shaft, route, divider->eye_side, reach);
 }
 
@@ -232,7 +259,9 @@ static bool find_sides(struct lim_sorter *sorter, const struct divider *divider,
 static bool keep_uncut(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
                        uint16_t list, uint16_t entry)
 {
-    const struct lim_reach reach = reach_of(sorter, entry);
+    const struct lim_reach reach = divider->mover == LIM_NONE
+                                       ? reach_of(sorter, entry)
+                                       : reach_beside(sorter->movers, lim_entry_owner(sorter, entry), divider->mover);
 
     if (stays(sorter, divider, route, list, entry, &reach, true))
         set_sides(sorter, entry, near_side(divider));
@@ -278,7 +307,7 @@ static uint16_t mover_split_split(struct lim_sorter *sorter, struct divider *div
     const lim_index record = LIM_NO_INDEX;
     const struct lim_reach reach = reach_of(sorter, entry);
 
-    if (divider->entry == LIM_NONE) divider->entry = lim_entry_new(sorter, record, LIM_NONE, divider->node);
+    if (divider->entry == LIM_NONE) divider->entry = lim_entry_new(sorter, record, divider->mover, divider->node);
     if (divider->entry == LIM_NONE || !lim_piece_has_room(sorter)) return LIM_NONE;
     sorter->newell->polygons[divider->entry].eye_in_front = near_side(divider) == LIM_SIDE_FRONT;
     const uint16_t other = lim_entry_new(sorter, record, lim_entry_owner(sorter, entry), record);
@@ -316,9 +345,13 @@ void lim_movers_divide(const struct lim_route *route, int32_t eye_side, uint16_t
     struct lim_queue fronts = lim_queue_begin(sorter, front), backs = lim_queue_begin(sorter, back);
 
     divider.node = route->next;
+    divider.mover = route->mover;
+    divider.ref = &route->scene->nodes[route->next].split;
     divider.entry = LIM_NONE;
     divider.eye_side = eye_side;
-    lim_plane_unpack(&divider.plane, route->scene, &route->scene->nodes[route->next].split);
+    lim_plane_unpack(&divider.own, route->scene, divider.ref);
+    divider.plane = divider.own;
+    if (route->mover != LIM_NONE) lim_mover_turn(sorter->movers, route->mover, &divider.plane);
     if (find_sides(sorter, &divider, list)) decide(sorter, &divider, route, list);
     while (list != LIM_NONE) {
         const uint16_t entry = list;

@@ -106,6 +106,7 @@ struct lim_route lim_route_object(struct lim_sorter *sorter, uint16_t mover, con
     const struct lim_mover *self = &movers->movers[mover];
     struct lim_route route = {.sorter = sorter,
                               .scene = movers->instances[mover].object,
+                              .mover = mover,
                               .eye = &self->eye,
                               .cull = movers->cull,
                               .stack = movers->object_stack,
