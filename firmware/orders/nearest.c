@@ -218,8 +218,9 @@ static inline uint16_t texture_word(const struct lim_pass *pass, const LIM_FLASH
 }
 
 /* A polygon as most are: opaque, neither clipped nor non-monotone, and with room for its points where they would
- * be retained. They are projected to that place, so none of it is ever copied. */
-static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
+ * be retained. They are projected to that place, so none of it is ever copied. What moves has no texture. */
+static inline enum outcome collect_fast(struct lim_nearest *nearest, struct lim_view *view,
+                                        const struct lim_scene *scene, const LIM_FLASH lim_index *record, bool moves)
 {
     struct lim_pass *const pass = nearest->pass;
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
@@ -229,7 +230,7 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
 
     LIM_DEBUG_ASSERT(n <= LIM_MAX_VERTICES);
     if (!at) return SLOW_PATH;
-    if (!lim_project_fast(&shape, at, n, &pass->view, pass->scene, record, &codes)) return SLOW_PATH;
+    if (!lim_project_fast(&shape, at, n, view, scene, record, &codes)) return SLOW_PATH;
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons++;
     if (lim_view_all_outside(codes)) return NOTHING_OPEN;
     if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) nearest->retained.overhangs = true;
@@ -254,7 +255,7 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
         shown = seen;
     }
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons_seen++;
-    const uint16_t texture = texture_word(pass, record);
+    const uint16_t texture = moves ? (uint16_t)LIM_NONE : texture_word(pass, record);
     const bool textured = LIM_HAS_TEXTURE && texture != LIM_NONE;
     if (textured) nearest->retained.textured = true;
     lim_retained_link(&nearest->spans, &nearest->retained, &nearest->spans.lines[shown.top], n, shape.first,
@@ -267,8 +268,9 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
 /* A record that faces the eye. false: a pool is exhausted. */
 static LIM_ALONE bool collect_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
-    enum outcome outcome =
-        !LIM_OPTIMISE_SIZE && is_for_fast_path(nearest, record) ? collect_fast(nearest, record) : SLOW_PATH;
+    enum outcome outcome = !LIM_OPTIMISE_SIZE && is_for_fast_path(nearest, record)
+                               ? collect_fast(nearest, &nearest->pass->view, nearest->pass->scene, record, false)
+                               : SLOW_PATH;
 
     if (outcome == SLOW_PATH) outcome = collect_any(nearest, record) ? COLLECTED : EXHAUSTED_POOL;
     if (outcome == EXHAUSTED_POOL) return false;
@@ -314,14 +316,32 @@ static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_
     return nearest->spans.open_lines ? 0 : MOVER_FULL;
 }
 
+static lim_mover_take take_mover;
+
+static LIM_IF_CALLED int take_mover(void *ctx, struct lim_view *view, const struct lim_scene *object,
+                                    const LIM_FLASH lim_index *record)
+{
+    struct lim_nearest *nearest = ctx;
+
+    if (!is_for_fast_path(nearest, record)) return LIM_MOVER_DRAW;
+    const enum outcome outcome = collect_fast(nearest, view, object, record, true);
+    if (outcome == SLOW_PATH) return LIM_MOVER_DRAW;
+    if (outcome == EXHAUSTED_POOL) return MOVER_EXHAUSTED;
+    return nearest->spans.open_lines ? 0 : MOVER_FULL;
+}
+
 /* What moves and has come to empty space. false: a pool is exhausted. */
 static LIM_IF_CALLED bool collect_list(struct lim_nearest *nearest, uint16_t list)
 {
     struct lim_sorter *const sorter = lim_nearest_sorter(nearest);
+    const struct lim_mover_sink sink = {.draw = draw_mover,
+                                        .take = LIM_OPTIMISE_SIZE ? NULL : take_mover,
+                                        .ctx = nearest,
+                                        .open = &nearest->spans.open,
+                                        .back_to_front = false};
 
     list = lim_movers_order(sorter, list, false);
-    if (lim_movers_draw(sorter, list, &nearest->spans.open, false, draw_mover, nearest) == MOVER_EXHAUSTED)
-        return false;
+    if (lim_movers_draw(sorter, list, &sink) == MOVER_EXHAUSTED) return false;
     if (!lim_nearest_retains_all(nearest)) shrink(nearest);
     return true;
 }

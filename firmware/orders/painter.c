@@ -278,8 +278,10 @@ static LIM_IF_CALLED int paint_list(struct lim_painter *painter, uint16_t list, 
 {
     struct lim_sorter *const sorter = lim_painter_sorter(painter);
 
+    const struct lim_mover_sink sink = {.draw = paint_mover, .ctx = painter, .open = screen, .back_to_front = true};
+
     list = lim_movers_order(sorter, list, true);
-    return lim_movers_draw(sorter, list, screen, true, paint_mover, painter);
+    return lim_movers_draw(sorter, list, &sink);
 }
 
 static LIM_IF_CALLED int paint_with_movers(struct lim_painter *painter, const struct lim_rect *screen)

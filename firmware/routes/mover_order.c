@@ -301,31 +301,48 @@ static const LIM_FLASH lim_index *last_record(const LIM_FLASH lim_index *record)
     return record;
 }
 
+/* A polygon, or a piece of one: `entry`. */
+static int draw_cut(struct lim_sorter *sorter, uint16_t entry, const struct face *face,
+                    const struct lim_mover_sink *sink)
+{
+    struct lim_screen_polygon polygon;
+
+    if (!mover_order_project(sorter, &polygon, face, sink->open)) return 0;
+    const bool is_cut = entry != LIM_NONE && lim_trace_is_needed(sorter, entry, &polygon);
+    return sink->draw(sink->ctx, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, sink->open);
+}
+
+/* A polygon that nothing has cut. */
+static int draw_uncut(struct lim_sorter *sorter, const struct face *face, const struct lim_mover_sink *sink)
+{
+    if (sink->take && !(LIM_HAS_LIGHT && sorter->movers->light->on)) {
+        const int err = sink->take(sink->ctx, lim_mover_view(sorter->movers, face->mover),
+                                   sorter->movers->instances[face->mover].object, face->record);
+        if (err != LIM_MOVER_DRAW) return err;
+    }
+    return draw_cut(sorter, LIM_NONE, face, sink);
+}
+
 /* What of a polygon belongs to a part. The part's entry stands for it meanwhile, for the polygon's own to be cut. */
 static int draw_share(struct lim_sorter *sorter, uint16_t entry, const struct lim_part *part, const struct face *face,
-                      const struct lim_rect *open, lim_mover_draw *draw, void *ctx)
+                      const struct lim_mover_sink *sink)
 {
     const uint16_t cuts_used = sorter->newell->cuts_used;
-    struct lim_screen_polygon polygon;
     int err = 0;
 
     sorter->list[entry].record = (lim_index)(face->record - sorter->movers->instances[face->mover].object->polygons);
     const enum lim_part_share share = lim_part_take(part, sorter, entry);
-    if (share != LIM_PART_NOTHING && mover_order_project(sorter, &polygon, face, open)) {
-        const bool is_cut = share == LIM_PART_PIECE && lim_trace_is_needed(sorter, entry, &polygon);
-        err = draw(ctx, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, open);
-    }
+    if (share == LIM_PART_ALL) err = draw_uncut(sorter, face, sink);
+    if (share == LIM_PART_PIECE) err = draw_cut(sorter, entry, face, sink);
     sorter->newell->cuts_used = cuts_used;
     return err;
 }
 
 static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, uint16_t entry,
-                    const struct lim_part *part, lim_index run, const struct lim_rect *open, lim_mover_draw *draw,
-                    void *ctx)
+                    const struct lim_part *part, lim_index run, const struct lim_mover_sink *sink)
 {
     const LIM_FLASH lim_index *const first = &route->scene->polygons[run];
     const LIM_FLASH lim_index *record = route->back_to_front ? last_record(first) : first;
-    struct lim_screen_polygon polygon;
     struct face face = {.plane = &route->scene->nodes[route->node].split, .mover = lim_entry_owner(sorter, entry)};
 
     while (record) {
@@ -336,11 +353,8 @@ static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, ui
             face.eye_in_front = !(record[0] & LIM_POLYGON_BACK);
         }
         if (lim_record_is_seen(route->eye, record)) {
-            int err = 0;
-            if (part->cuts != LIM_NONE)
-                err = draw_share(sorter, entry, part, &face, open, draw, ctx);
-            else if (mover_order_project(sorter, &polygon, &face, open))
-                err = draw(ctx, LIM_NONE, &polygon, open);
+            const int err =
+                part->cuts == LIM_NONE ? draw_uncut(sorter, &face, sink) : draw_share(sorter, entry, part, &face, sink);
             if (err) return err;
         }
         record = route->back_to_front ? record_before(first, record) : record_after(record);
@@ -349,52 +363,47 @@ static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, ui
 }
 
 /* By the order of its own tree: all of it, or a part. */
-static int draw_whole(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, bool back_to_front,
-                      lim_mover_draw *draw, void *ctx)
+static int draw_whole(struct lim_sorter *sorter, uint16_t entry, const struct lim_mover_sink *sink)
 {
-    struct lim_route route = lim_route_object(sorter, lim_entry_owner(sorter, entry), open, back_to_front);
+    struct lim_route route = lim_route_object(sorter, lim_entry_owner(sorter, entry), sink->open, sink->back_to_front);
     struct lim_part part;
     lim_index run;
     int err = 0;
 
     lim_part_begin(&part, sorter, entry);
     while (!err && (run = lim_route_next_alone(&route)) != LIM_NO_INDEX)
-        err = draw_run(sorter, &route, entry, &part, run, open, draw, ctx);
+        err = draw_run(sorter, &route, entry, &part, run, sink);
     sorter->list[entry].record = LIM_NO_INDEX;
     sorter->newell->polygons[entry].cuts = part.cuts;
     return err;
 }
 
 /* A polygon of a leaf that movers have come to. */
-static int draw_still(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw,
-                      void *ctx)
+static int draw_still(struct lim_sorter *sorter, uint16_t entry, const struct lim_mover_sink *sink)
 {
     struct lim_screen_polygon polygon;
 
-    if (!lim_project(&polygon, &sorter->pass->view, sorter->pass->scene, lim_entry_record(sorter, entry), open,
+    if (!lim_project(&polygon, &sorter->pass->view, sorter->pass->scene, lim_entry_record(sorter, entry), sink->open,
                      lim_stats_of(sorter->pass)))
         return 0;
-    return draw(ctx, lim_trace_is_needed(sorter, entry, &polygon) ? entry : (uint16_t)LIM_NONE, &polygon, open);
+    return sink->draw(sink->ctx, lim_trace_is_needed(sorter, entry, &polygon) ? entry : (uint16_t)LIM_NONE, &polygon,
+                      sink->open);
 }
 
-static int draw_entry(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw,
-                      void *ctx)
+static int draw_entry(struct lim_sorter *sorter, uint16_t entry, const struct lim_mover_sink *sink)
 {
-    if (lim_entry_owner(sorter, entry) == LIM_NONE) return draw_still(sorter, entry, open, draw, ctx);
+    if (lim_entry_owner(sorter, entry) == LIM_NONE) return draw_still(sorter, entry, sink);
     const struct face face = {lim_entry_record(sorter, entry), lim_plane_of(sorter, entry),
                               lim_entry_owner(sorter, entry), sorter->newell->polygons[entry].eye_in_front};
-    struct lim_screen_polygon polygon;
 
-    if (!mover_order_project(sorter, &polygon, &face, open)) return 0;
-    return draw(ctx, lim_trace_is_needed(sorter, entry, &polygon) ? entry : (uint16_t)LIM_NONE, &polygon, open);
+    return lim_entry_is_cut(sorter, entry) ? draw_cut(sorter, entry, &face, sink) : draw_uncut(sorter, &face, sink);
 }
 
-int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_rect *open, bool back_to_front,
-                    lim_mover_draw *draw, void *ctx)
+int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_mover_sink *sink)
 {
     for (; list != LIM_NONE; list = sorter->list[list].next) {
-        const int err = lim_mover_is_whole(sorter, list) ? draw_whole(sorter, list, open, back_to_front, draw, ctx)
-                                                         : draw_entry(sorter, list, open, draw, ctx);
+        const int err =
+            lim_mover_is_whole(sorter, list) ? draw_whole(sorter, list, sink) : draw_entry(sorter, list, sink);
         if (err) return err;
     }
     return 0;
