@@ -166,7 +166,7 @@ static const struct lim_view *view_of(const struct lim_sorter *sorter, uint8_t *
     const bool is_newell = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target);
 
     *bits = is_newell ? 12 : 13;
-    return is_newell ? &sorter->pass->view : &sorter->movers->world;
+    return is_newell ? &sorter->pass->view : lim_movers_world(sorter->movers);
 }
 
 /* Along z, in the scale in which entries are compared. */

@@ -33,14 +33,14 @@ uint16_t lim_entry_new(struct lim_sorter *sorter, lim_index record, uint16_t own
     return (uint16_t)(sorter->used - 1);
 }
 
-/* Whether the box around the ball, as far as the grid reaches, is in view. */
+/* Whether the box around it, as far as the grid reaches, is in view. */
 static bool is_in_view(const struct lim_mover *mover, const struct lim_cull *open)
 {
     struct lim_box box;
 
     if (!LIM_HAS_CULL) return true;
     for (uint_fast8_t i = 0; i < 3; i++) {
-        const int32_t centre = mover->centre_q12[i] >> 12, half = (mover->radius_q12 >> 12) + 1;
+        const int32_t centre = mover->centre_q12[i] >> 12, half = (mover->half_q12[i] >> 12) + 2;
         if (centre < -32768 || centre > 32767 || half > 32768) return true;
         box.centre[i] = (int16_t)centre;
         box.half[i] = (uint16_t)half;
@@ -122,9 +122,10 @@ static LIM_IF_CALLED bool add_deformed(struct lim_sorter *sorter, struct lim_que
 static bool add_by_tree(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_part *part, uint16_t mover)
 {
     const struct lim_rect screen = {0, 0, sorter->pass->target.w_px, sorter->pass->target.h_px};
-    struct lim_route route = lim_route_object(sorter, mover, &screen, false);
+    struct lim_route route;
     lim_index run;
 
+    lim_route_object(&route, sorter, mover, &screen, false);
     while ((run = lim_route_next_alone(&route)) != LIM_NO_INDEX)
         if (!add_run(sorter, queue, &route, part, mover, run)) return false;
     return true;

@@ -76,6 +76,7 @@ bool lim_movers_merge(struct lim_sorter *sorter, uint16_t *list)
     const uint16_t one = choose_one(sorter, *list);
     uint16_t others, polygons = one, merged;
     struct lim_queue queue = lim_queue_begin(sorter, &others), ordered = lim_queue_begin(sorter, &merged);
+    struct lim_route route;
     lim_index what;
 
     if (one == LIM_NONE) return false;
@@ -90,7 +91,7 @@ bool lim_movers_merge(struct lim_sorter *sorter, uint16_t *list)
         next = sorter->list[at].next;
         if (at != one) lim_queue_add(&queue, at);
     }
-    struct lim_route route = lim_route_object(sorter, lim_entry_owner(sorter, one), &screen, false);
+    lim_route_object(&route, sorter, lim_entry_owner(sorter, one), &screen, false);
     lim_route_begin(&route, others);
     for (enum lim_route_event event; (event = lim_route_next(&route, &what)) != LIM_ROUTE_END;) {
         if (event == LIM_ROUTE_RUN) {

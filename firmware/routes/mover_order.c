@@ -365,11 +365,12 @@ static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, ui
 /* By the order of its own tree: all of it, or a part. */
 static int draw_whole(struct lim_sorter *sorter, uint16_t entry, const struct lim_mover_sink *sink)
 {
-    struct lim_route route = lim_route_object(sorter, lim_entry_owner(sorter, entry), sink->open, sink->back_to_front);
+    struct lim_route route;
     struct lim_part part;
     lim_index run;
     int err = 0;
 
+    lim_route_object(&route, sorter, lim_entry_owner(sorter, entry), sink->open, sink->back_to_front);
     lim_part_begin(&part, sorter, entry);
     while (!err && (run = lim_route_next_alone(&route)) != LIM_NO_INDEX)
         err = draw_run(sorter, &route, entry, &part, run, sink);

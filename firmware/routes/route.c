@@ -4,6 +4,7 @@
 #include "routes/route.h"
 
 #include "eye.h"
+#include "movers/mover.h"
 #include "view/cull.h"
 #include "view/pass.h"
 #include "view/walk.h"
@@ -112,22 +113,36 @@ lim_index lim_route_next_alone(struct lim_route *route)
     return run;
 }
 
-struct lim_route lim_route_object(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,
-                                  bool back_to_front)
+/* Whether an object that the whole screen shows has no box but that of all: what has come here is in view. */
+static bool is_in_view(const struct lim_sorter *sorter, const struct lim_scene *object, const struct lim_rect *open)
+{
+    const struct lim_target *target = &sorter->pass->target;
+
+    return object->box_count <= 1 && !open->x0 && !open->y0 && open->x1 == target->w_px && open->y1 == target->h_px;
+}
+
+/* Each field for itself: an initialiser would be a call of memset(). */
+void lim_route_object(struct lim_route *route, struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,
+                      bool back_to_front)
 {
     struct lim_movers *movers = sorter->movers;
     const struct lim_mover *self = &movers->movers[mover];
-    struct lim_route route = {.sorter = sorter,
-                              .scene = movers->instances[mover].object,
-                              .mover = mover,
-                              .eye = &self->eye,
-                              .cull = movers->cull,
-                              .stack = movers->object_stack,
-                              .back_to_front = back_to_front};
 
-    if (LIM_HAS_CULL) lim_cull_set(movers->cull, &self->view, self->eye.at_q8, open);
-    lim_route_begin(&route, LIM_NONE);
-    return route;
+    route->sorter = sorter;
+    route->scene = movers->instances[mover].object;
+    route->mover = mover;
+    route->eye = &self->eye;
+    route->cull = movers->cull;
+    route->shown = NULL;
+    route->stack = movers->object_stack;
+    route->node = LIM_NO_INDEX;
+    route->side = 0;
+    route->back_to_front = back_to_front;
+    if (LIM_HAS_CULL && is_in_view(sorter, route->scene, open))
+        movers->cull->inside_depth = 0;
+    else if (LIM_HAS_CULL)
+        lim_cull_set(movers->cull, lim_mover_view(movers, mover), self->eye.at_q8, open);
+    lim_route_begin(route, LIM_NONE);
 }
 
 #endif
