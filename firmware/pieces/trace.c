@@ -351,13 +351,69 @@ static void trace_of(struct trace *trace, const struct lim_sorter *sorter, uint1
     set_trace(trace, sorter, entry, &plane);
 }
 
-/* Rows that are searched, not stepped. */
-static void search_all(struct lim_point *last, const struct trace *trace, int16_t top, int16_t bottom, bool front)
+/* Rows that are searched, not stepped. Most of them the trace does not cross: both ends of the screen tell. */
+static void search_all(struct lim_point *last, const struct trace *trace, int16_t top, int16_t bottom, bool front,
+                       uint16_t w_px)
 {
-    for (int16_t y = top; y < bottom; y++) {
-        struct lim_point *line = &last[bottom - 1 - y];
-        if (line->x < line->y) narrow(line, trace, y, front);
+    const bool is_slanted = LIM_HAS_ANTIALIAS && trace->shift;
+    const int64_t across = trace->step * (w_px - 1);
+    int64_t value = trace->first + trace->down * top;
+
+    for (struct lim_point *line = &last[bottom - 1 - top]; line >= last; line--, value += trace->down) {
+        const bool is_front = is_in_front(value), is_one_side = is_front == is_in_front(value + across);
+        if (is_slanted || !is_one_side) {
+            if (line->x < line->y) narrow(line, trace, (int16_t)(bottom - 1 - (line - last)), front);
+        } else if (is_front != front) {
+            line->y = line->x < line->y ? line->x : line->y;
+        }
     }
+}
+
+/* A screen coordinate of a corner. */
+static int32_t corner_q4(int32_t at)
+{
+    return (at >> (LIM_SUB_BITS > 4 ? LIM_SUB_BITS - 4 : 0)) * (1 << (LIM_SUB_BITS < 4 ? 4 - LIM_SUB_BITS : 0)) +
+           LIM_ORIGIN_PX * 16;
+}
+
+/* 16 times the trace's value at a corner, as far as that is certain: negative, where a cut leaves nothing of it. Two
+ * pixels each way are more than all that is rounded. Sums stay below 2^59. */
+static int64_t left_at(const struct lim_point *at, const struct trace *trace, bool front)
+{
+    const int64_t value = trace->first * 16 + trace->step * corner_q4(at->x) + trace->down * corner_q4(at->y);
+    const int64_t step = trace->step < 0 ? -trace->step : trace->step;
+    const int64_t down = trace->down < 0 ? -trace->down : trace->down;
+
+    return (front ? value : -value) + 32 * (step + down);
+}
+
+/* Leaves of the lines top <= y < bottom those on which a cut may leave anything of the whole. */
+static void bound_lines(const struct lim_screen_polygon *whole, const struct trace *trace, bool front, int16_t *top,
+                        int16_t *bottom)
+{
+    const struct lim_point *before = &whole->at[whole->n - 1];
+    int64_t value_before = left_at(before, trace, front);
+    int32_t low = INT32_MAX, high = INT32_MIN;
+
+    for (uint_fast8_t k = 0; k < whole->n; k++) {
+        const struct lim_point *here = &whole->at[k];
+        const int64_t value = left_at(here, trace, front);
+        const bool crosses = (value < 0) != (value_before < 0);
+        const int32_t y =
+            crosses ? lerp_q31(before->y, here->y, lim_plane_zero_q31(value_before, value)) : (int32_t)here->y;
+        if (crosses || value >= 0) {
+            if (y < low) low = y;
+            if (y > high) high = y;
+        }
+        if (value >= 0 && here->y < low) low = here->y;
+        if (value >= 0 && here->y > high) high = here->y;
+        before = here;
+        value_before = value;
+    }
+    const int32_t from = (low >> LIM_SUB_BITS) + LIM_ORIGIN_PX - 1, to = (high >> LIM_SUB_BITS) + LIM_ORIGIN_PX + 3;
+    if (low > high) *bottom = *top;
+    if (low <= high && from > *top) *top = (int16_t)(from < *bottom ? from : *bottom);
+    if (low <= high && to < *bottom) *bottom = (int16_t)(to > *top ? to : *top);
 }
 
 /* By the cuts from `cut` on. */
@@ -375,7 +431,7 @@ static void cut_rows(const struct lim_sorter *sorter, uint16_t entry, const stru
         if (set_crossing(&crossing, &trace, sorter->pass->target.h_px))
             narrow_all(last, &crossing, top, bottom, front);
         else
-            search_all(last, &trace, top, bottom, front);
+            search_all(last, &trace, top, bottom, front, sorter->pass->target.w_px);
         cut = newell->cuts[cut].next;
     }
 }
@@ -387,37 +443,41 @@ void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, const struct
 }
 
 void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
-                     const struct lim_rect *open, struct lim_point *last, int16_t top, int16_t bottom)
+                     const struct lim_rect *open, struct lim_point *last, int16_t *top, int16_t *bottom)
 {
+    const struct lim_target *target = &sorter->pass->target;
     const struct lim_newell *newell = sorter->newell;
     const uint16_t cut = next_needed(sorter, entry, newell->polygons[entry].cuts, hides_all(whole));
     struct trace trace;
     struct crossing crossing;
 
     if (cut == LIM_NONE) {
-        trace_lines(last, whole, open, top, bottom, NULL, ANY);
+        trace_lines(last, whole, open, *top, *bottom, NULL, ANY);
         return;
     }
     trace_of(&trace, sorter, entry, cut);
     const bool front = newell->cuts[cut].by & LIM_CUT_FRONT;
-    if (!set_crossing(&crossing, &trace, sorter->pass->target.h_px)) {
-        trace_lines(last, whole, open, top, bottom, NULL, ANY);
-        search_all(last, &trace, top, bottom, front);
+    bound_lines(whole, &trace, front, top, bottom);
+    if (*top >= *bottom) return;
+    if (!set_crossing(&crossing, &trace, target->h_px)) {
+        trace_lines(last, whole, open, *top, *bottom, NULL, ANY);
+        search_all(last, &trace, *top, *bottom, front, target->w_px);
     } else if (side_of(&crossing, front) == LOW) {
-        trace_lines(last, whole, open, top, bottom, &crossing, LOW);
+        trace_lines(last, whole, open, *top, *bottom, &crossing, LOW);
     } else {
-        trace_lines(last, whole, open, top, bottom, &crossing, HIGH);
+        trace_lines(last, whole, open, *top, *bottom, &crossing, HIGH);
     }
-    cut_rows(sorter, entry, whole, newell->cuts[cut].next, last, top, bottom);
+    cut_rows(sorter, entry, whole, newell->cuts[cut].next, last, *top, *bottom);
 }
 
 struct lim_point lim_piece_line(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
                                 int16_t y)
 {
     const struct lim_rect screen = {0, 0, sorter->pass->target.w_px, sorter->pass->target.h_px};
-    struct lim_point line;
+    struct lim_point line = {0, 0};
+    int16_t top = y, bottom = (int16_t)(y + 1);
 
-    lim_trace_lines(sorter, entry, whole, &screen, &line, y, (int16_t)(y + 1));
+    lim_trace_lines(sorter, entry, whole, &screen, &line, &top, &bottom);
     return line;
 }
 

@@ -12,9 +12,10 @@
 bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole);
 
 /* Lines top <= y < bottom, one at least, of a projected polygon that is not non-monotone and has them: what of them is
- * within `open`, and the piece's, or hidden by other parts. That of `bottom` - 1 is first. */
+ * within `open`, and the piece's, or hidden by other parts; but for those above and below that have nothing of it. That
+ * of `bottom` - 1 is first. */
 void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
-                     const struct lim_rect *open, struct lim_point *last, int16_t top, int16_t bottom);
+                     const struct lim_rect *open, struct lim_point *last, int16_t *top, int16_t *bottom);
 
 /* Leaves of rows of samples what is. */
 void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
