@@ -65,13 +65,13 @@ static uint8_t sides_by_far(const struct lim_sorter *sorter, const struct lim_tu
 {
     const LIM_FLASH struct lim_vertex *vertices = lim_entry_scene(sorter, entry)->vertices;
     const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
-    uint8_t sides = LIM_SIDE_BOTH;
+    struct lim_turned_range range = {INT32_MAX, INT32_MIN};
 
-    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides; k++) {
+    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
         const struct lim_vertex at = vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
-        sides = lim_turned_sides(plane, &at, sides);
+        lim_turned_add(&range, plane, &at);
     }
-    return sides;
+    return lim_turned_sides(&range, plane);
 }
 
 /* The sides of a cut's plane that an entry reaches to; what lies in it is where the eye is. */

@@ -18,14 +18,26 @@ struct lim_turned_plane {
 void lim_plane_turn(struct lim_turned_plane *turned, const struct lim_instance *instance,
                     const struct lim_plane_unpacked *plane);
 
-/* On which sides of it a vertex is by far: one, or none of those in `sides`. */
-static inline uint8_t lim_turned_sides(const struct lim_turned_plane *plane, const struct lim_vertex *at, uint8_t sides)
-{
-    const int32_t value = plane->n_q14[0] * at->x + plane->n_q14[1] * at->y + plane->n_q14[2] * at->z;
+/* Where vertices are: of those that were asked so far, the least and the most. */
+struct lim_turned_range {
+    int32_t least_q14, most_q14;
+};
 
-    if (value <= plane->front_q14) sides &= 2u; /* LIM_SIDE_BACK */
-    if (value >= plane->back_q14) sides &= 1u;
-    return sides;
+static inline void lim_turned_add(struct lim_turned_range *range, const struct lim_turned_plane *plane,
+                                  const struct lim_vertex *at)
+{
+    const int32_t value_q14 = plane->n_q14[0] * at->x + plane->n_q14[1] * at->y + plane->n_q14[2] * at->z;
+
+    if (value_q14 < range->least_q14) range->least_q14 = value_q14;
+    if (value_q14 > range->most_q14) range->most_q14 = value_q14;
+}
+
+/* The sides that they reach to, by far; 0: that is not certain. */
+static inline uint8_t lim_turned_sides(const struct lim_turned_range *range, const struct lim_turned_plane *plane)
+{
+    if (range->least_q14 > plane->front_q14) return 1; /* LIM_SIDE_FRONT */
+    if (range->most_q14 < plane->back_q14) return 2;
+    return range->least_q14 < plane->back_q14 && range->most_q14 > plane->front_q14 ? 3 : 0;
 }
 
 /* The planes of a part, for its polygons. */

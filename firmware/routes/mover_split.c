@@ -88,21 +88,22 @@ static uint8_t sides_of_extent(const struct lim_extent *extent, const struct lim
     return low > half_d ? LIM_SIDE_FRONT : high < half_d ? LIM_SIDE_BACK : 0;
 }
 
-/* Of all vertices, where there are few: 0, if they are on both sides or not by far on one. */
+/* Of all vertices, where there are few: 0, if they are not by far on one side. */
 static uint8_t sides_of_vertices(const struct lim_sorter *sorter, uint16_t owner, const struct divider *divider)
 {
     const struct lim_instance *instance = &sorter->movers->instances[owner];
     const struct lim_scene *object = instance->object;
     struct lim_turned_plane turned;
-    uint8_t sides = LIM_SIDE_BOTH;
+    struct lim_turned_range range = {INT32_MAX, INT32_MIN};
 
     if (object->vertex_count > VERTICES_MAX) return 0;
     lim_plane_turn(&turned, instance, &divider->plane);
-    for (lim_index k = 0; k < object->vertex_count && sides; k++) {
+    for (lim_index k = 0; k < object->vertex_count; k++) {
         const struct lim_vertex at = object->vertices[k];
-        sides = lim_turned_sides(&turned, &at, sides);
+        lim_turned_add(&range, &turned, &at);
+        if (range.least_q14 <= turned.front_q14 && range.most_q14 >= turned.back_q14) return 0;
     }
-    return sides;
+    return lim_turned_sides(&range, &turned);
 }
 
 static bool is_one_plane(const struct lim_sorter *sorter, uint16_t by, const struct divider *divider)
