@@ -251,21 +251,21 @@ static uint32_t root_above(uint32_t x)
     return root + 1;
 }
 
-/* Of the ball around a point that holds all vertices, none of which is farther along an axis than `most`. */
+/* Of the ball around a point that holds all vertices, none of which is farther along an axis than `most`. What is
+ * rounded down is short by less than one along each axis, so by less than two in all. */
 static uint32_t reach_of_vertices(const struct lim_scene *object, const int32_t centre[3], uint32_t most)
 {
     const uint8_t zeros = clz_u32(most | 1),
                   shift = (uint8_t)(zeros < 18 ? 18 - zeros : 0); /* to 14 bits: squares below 2^30 */
-    const uint32_t up = (UINT32_C(1) << shift) - 1;
     uint32_t square = 0;
 
     for (lim_index k = 0; k < object->vertex_count; k++) {
         const struct lim_vertex at = object->vertices[k];
-        const uint32_t x = (abs_s32(at.x - centre[0]) + up) >> shift, y = (abs_s32(at.y - centre[1]) + up) >> shift;
-        const uint32_t z = (abs_s32(at.z - centre[2]) + up) >> shift, sum = x * x + y * y + z * z;
+        const int32_t x = (at.x - centre[0]) >> shift, y = (at.y - centre[1]) >> shift, z = (at.z - centre[2]) >> shift;
+        const uint32_t sum = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
         if (sum > square) square = sum;
     }
-    return (root_above(square) << shift) + (LIM_HAS_FRACTIONS ? 2 : 0);
+    return ((root_above(square) + (shift ? 2 : 0)) << shift) + (LIM_HAS_FRACTIONS ? 2 : 0);
 }
 
 /* As in rows.c, a length is at most that of its longest component and 107/256 of the others. */

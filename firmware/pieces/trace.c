@@ -322,17 +322,6 @@ static bool is_needless(const struct lim_sorter *sorter, uint16_t entry, const s
     return !(cut->by & LIM_CUT_FRONT) == sorter->newell->polygons[by].eye_in_front;
 }
 
-bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole)
-{
-    const struct lim_newell *newell = sorter->newell;
-    uint16_t cut = newell->polygons[entry].cuts;
-
-    if (!hides_all(whole)) return cut != LIM_NONE;
-    while (cut != LIM_NONE && is_needless(sorter, entry, &newell->cuts[cut]))
-        cut = newell->cuts[cut].next;
-    return cut != LIM_NONE;
-}
-
 /* The next of a list of cuts, from `cut` on, that tells the piece from its whole. */
 static uint16_t next_needed(const struct lim_sorter *sorter, uint16_t entry, uint16_t cut, bool hides)
 {
@@ -341,6 +330,16 @@ static uint16_t next_needed(const struct lim_sorter *sorter, uint16_t entry, uin
     while (hides && cut != LIM_NONE && is_needless(sorter, entry, &newell->cuts[cut]))
         cut = newell->cuts[cut].next;
     return cut;
+}
+
+bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole)
+{
+    return next_needed(sorter, entry, sorter->newell->polygons[entry].cuts, hides_all(whole)) != LIM_NONE;
+}
+
+bool lim_trace_is_needed_of_opaque(const struct lim_sorter *sorter, uint16_t entry)
+{
+    return next_needed(sorter, entry, sorter->newell->polygons[entry].cuts, true) != LIM_NONE;
 }
 
 static void trace_of(struct trace *trace, const struct lim_sorter *sorter, uint16_t entry, uint16_t cut)

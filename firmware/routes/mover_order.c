@@ -312,15 +312,26 @@ static int draw_cut(struct lim_sorter *sorter, uint16_t entry, const struct face
     return sink->draw(sink->ctx, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, sink->open);
 }
 
-/* A polygon that nothing has cut. */
-static int draw_uncut(struct lim_sorter *sorter, const struct face *face, const struct lim_mover_sink *sink)
+/* A polygon that nothing has cut: LIM_NONE; or a piece that is painted as its whole, if it is opaque. */
+static int draw_uncut(struct lim_sorter *sorter, uint16_t entry, const struct face *face,
+                      const struct lim_mover_sink *sink)
 {
     if (sink->take && !(LIM_HAS_LIGHT && sorter->movers->light->on)) {
         const int err = sink->take(sink->ctx, lim_mover_view(sorter->movers, face->mover),
                                    sorter->movers->instances[face->mover].object, face->record);
         if (err != LIM_MOVER_DRAW) return err;
     }
-    return draw_cut(sorter, LIM_NONE, face, sink);
+    return draw_cut(sorter, entry, face, sink);
+}
+
+/* What of a polygon the cuts of an entry leave. */
+static int draw_piece(struct lim_sorter *sorter, uint16_t entry, const struct face *face,
+                      const struct lim_mover_sink *sink)
+{
+    const bool is_whole = !lim_entry_is_cut(sorter, entry);
+
+    if (!is_whole && lim_trace_is_needed_of_opaque(sorter, entry)) return draw_cut(sorter, entry, face, sink);
+    return draw_uncut(sorter, is_whole ? (uint16_t)LIM_NONE : entry, face, sink);
 }
 
 /* What of a polygon belongs to a part. The part's entry stands for it meanwhile, for the polygon's own to be cut. */
@@ -332,8 +343,7 @@ static int draw_share(struct lim_sorter *sorter, uint16_t entry, const struct li
 
     sorter->list[entry].record = (lim_index)(face->record - sorter->movers->instances[face->mover].object->polygons);
     const enum lim_part_share share = lim_part_take(part, sorter, entry);
-    if (share == LIM_PART_ALL) err = draw_uncut(sorter, face, sink);
-    if (share == LIM_PART_PIECE) err = draw_cut(sorter, entry, face, sink);
+    if (share != LIM_PART_NOTHING) err = draw_piece(sorter, entry, face, sink);
     sorter->newell->cuts_used = cuts_used;
     return err;
 }
@@ -353,8 +363,8 @@ static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, ui
             face.eye_in_front = !(record[0] & LIM_POLYGON_BACK);
         }
         if (lim_record_is_seen(route->eye, record)) {
-            const int err =
-                part->cuts == LIM_NONE ? draw_uncut(sorter, &face, sink) : draw_share(sorter, entry, part, &face, sink);
+            const int err = part->cuts == LIM_NONE ? draw_uncut(sorter, LIM_NONE, &face, sink)
+                                                   : draw_share(sorter, entry, part, &face, sink);
             if (err) return err;
         }
         record = route->back_to_front ? record_before(first, record) : record_after(record);
@@ -397,7 +407,7 @@ static int draw_entry(struct lim_sorter *sorter, uint16_t entry, const struct li
     const struct face face = {lim_entry_record(sorter, entry), lim_plane_of(sorter, entry),
                               lim_entry_owner(sorter, entry), sorter->newell->polygons[entry].eye_in_front};
 
-    return lim_entry_is_cut(sorter, entry) ? draw_cut(sorter, entry, &face, sink) : draw_uncut(sorter, &face, sink);
+    return draw_piece(sorter, entry, &face, sink);
 }
 
 int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_mover_sink *sink)

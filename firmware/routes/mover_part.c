@@ -26,16 +26,22 @@ void lim_plane_turn(struct lim_turned_plane *turned, const struct lim_instance *
                     const struct lim_plane_unpacked *plane)
 {
     const int32_t *n = plane->n;
-    const uint8_t spare = clz_u32(abs_s32(n[0]) | abs_s32(n[1]) | abs_s32(n[2]));
+    const uint8_t axis = plane->axis;
+    const uint8_t spare = axis != LIM_NO_AXIS ? 31 : clz_u32(abs_s32(n[0]) | abs_s32(n[1]) | abs_s32(n[2]));
     int64_t offset_q8 = plane->d * 256;
 
     for (uint_fast8_t i = 0; i < 3; i++) {
+        if (axis != LIM_NO_AXIS) { /* the same, of a normal of 1 */
+            turned->n_q14[i] = instance->axes_q30[3 * i + axis] >> 17;
+            continue;
+        }
         int64_t sum = 0;
         for (uint_fast8_t k = 0; k < 3; k++)
             sum += (int64_t)instance->axes_q30[3 * i + k] * n[k];
         turned->n_q14[i] = (int32_t)(sum >> (48 - spare));
         offset_q8 -= (int64_t)n[i] * instance->at_q8[i];
     }
+    if (axis != LIM_NO_AXIS) offset_q8 -= instance->at_q8[axis];
     offset_q8 *= INT32_C(1) << instance->finer_bits;
     const int64_t offset_q14 = spare > 26 ? offset_q8 * (INT64_C(1) << (spare - 26)) : offset_q8 >> (26 - spare);
     const int64_t doubt_q14 = DOUBT_Q14 + (DOUBT_A_UNIT_Q14 * (INT64_C(1) << instance->finer_bits));
