@@ -330,7 +330,10 @@ static int draw_piece(struct lim_sorter *sorter, uint16_t entry, const struct fa
 {
     const bool is_whole = !lim_entry_is_cut(sorter, entry);
 
-    if (!is_whole && lim_trace_is_needed_of_opaque(sorter, entry)) return draw_cut(sorter, entry, face, sink);
+    if (!is_whole && lim_trace_is_needed_of_opaque(sorter, entry)) {
+        if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->movers.pieces++;
+        return draw_cut(sorter, entry, face, sink);
+    }
     return draw_uncut(sorter, is_whole ? (uint16_t)LIM_NONE : entry, face, sink);
 }
 
