@@ -22,25 +22,19 @@ static bool has_leaves(const struct lim_scene *object)
     return false;
 }
 
-static bool may_divide(const struct lim_sorter *sorter, uint16_t entry)
-{
-    const struct lim_instance *instance = &sorter->movers->instances[lim_entry_owner(sorter, entry)];
-
-    return instance->object->node_count <= NODES_MAX && !lim_deforms(instance) && !has_leaves(instance->object);
-}
-
-/* The one with the fewest nodes; LIM_NONE: none. */
+/* The one with the fewest nodes; LIM_NONE: none. What deforms is sorted by its polygons, and is best left as a whole.
+ */
 static uint16_t choose_one(const struct lim_sorter *sorter, uint16_t list)
 {
     uint16_t chosen = LIM_NONE;
-    lim_index least = 0;
+    lim_index least = NODES_MAX + 1;
 
     for (; list != LIM_NONE; list = sorter->list[list].next) {
-        const lim_index count = sorter->movers->instances[lim_entry_owner(sorter, list)].object->node_count;
-        if (sorter->movers->instances[lim_entry_owner(sorter, list)].by_centre) return LIM_NONE;
-        if (!may_divide(sorter, list) || (chosen != LIM_NONE && count >= least)) continue;
+        const struct lim_instance *instance = &sorter->movers->instances[lim_entry_owner(sorter, list)];
+        if (instance->by_centre || lim_deforms(instance)) return LIM_NONE;
+        if (instance->object->node_count >= least || has_leaves(instance->object)) continue;
         chosen = list;
-        least = count;
+        least = instance->object->node_count;
     }
     return chosen;
 }
