@@ -108,14 +108,6 @@ static inline bool fill_lines(struct lim_nearest *nearest, const struct lim_poin
     return close_lines(&nearest->spans, at, n, first, &shown, lim_fill_of(target), &look);
 }
 
-/* Scan lines retain every polygon in view, and paint from far to near; not bands of one line, of which there are only
- * where memory is scarce: any number of polygons lie behind one another at a pixel, and the least pools hold one. */
-static inline bool can_retain_all(const struct lim_nearest *nearest, const struct lim_rect *band)
-{
-    if (!LIM_IS_SCANLINE(&nearest->pass->target) || band->y1 - band->y0 <= 1) return false;
-    return lim_nearest_may_retain_all(nearest);
-}
-
 /* A constant where there is no choice. */
 static inline bool fills(const struct lim_nearest *nearest)
 {
@@ -182,15 +174,6 @@ static bool collect(struct lim_nearest *nearest, const struct lim_screen_polygon
         if (!collect_plain(nearest, &triangle)) return false;
     }
     return true;
-}
-
-static void note_pools(struct lim_nearest *nearest)
-{
-    struct lim_stats *stats = lim_stats_of(nearest->pass);
-    const uint16_t gaps = (uint16_t)(lim_share_gaps_end(&nearest->spans) - nearest->spans.fresh);
-
-    if (nearest->retained.used > stats->retained_cells_max) stats->retained_cells_max = nearest->retained.used;
-    if (gaps > stats->gaps_max) stats->gaps_max = gaps;
 }
 
 /* Of whatever kind it is. false: a pool is exhausted. */
@@ -303,8 +286,6 @@ static bool collect_run(struct lim_nearest *nearest, lim_index run)
 
 enum { MOVER_EXHAUSTED = 1, MOVER_FULL }; /* a pool; all lines */
 
-static lim_mover_draw draw_mover;
-
 static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
                                     const struct lim_rect *open)
 {
@@ -315,8 +296,6 @@ static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_
         return MOVER_EXHAUSTED;
     return nearest->spans.open_lines ? 0 : MOVER_FULL;
 }
-
-static lim_mover_take take_mover;
 
 static LIM_IF_CALLED int take_mover(void *ctx, struct lim_view *view, const struct lim_scene *object,
                                     const LIM_FLASH lim_index *record)
@@ -410,26 +389,11 @@ static bool collect_from_source(struct lim_nearest *nearest, const struct lim_re
     return collect_from_tree(nearest, band);
 }
 
-static void open_band(struct lim_nearest *nearest, const struct lim_rect *band)
-{
-    if (LIM_HAS_ANTIALIAS) *nearest->spans.has_strips = lim_is_antialiased(&nearest->pass->view);
-    lim_retained_clear(&nearest->retained);
-    lim_spans_open(&nearest->spans, &nearest->pass->target, band);
-    nearest->since_shrink = 0;
-    nearest->top = band->y0;
-    nearest->bottom = band->y1;
-    if (LIM_HAS_SCANLINE) nearest->retains_all = can_retain_all(nearest, band);
-    nearest->retained.size = nearest->retained.end;
-    if (LIM_HAS_FENCE && !lim_nearest_retains_all(nearest))
-        nearest->retained.size = lim_share_cells_before_fence(&nearest->retained);
-    lim_share_set_lowest(&nearest->spans);
-}
-
 bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    open_band(nearest, band);
+    lim_nearest_open(nearest, band);
     if (!collect_from_source(nearest, band)) return false;
-    if (LIM_HAS_STATS) note_pools(nearest);
+    if (LIM_HAS_STATS) lim_nearest_note_pools(nearest);
     return true;
 }
 
@@ -499,7 +463,7 @@ static LIM_IF_CALLED enum lim_ahead_stage collect_some_of_list(struct lim_neares
 
 void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame)
 {
-    open_band(nearest, frame);
+    lim_nearest_open(nearest, frame);
     if (IS_LISTED(nearest))
         nearest->progress.entry = lim_nearest_sorter(nearest)->first;
     else
@@ -511,7 +475,7 @@ enum lim_ahead_stage lim_collect_some(struct lim_nearest *nearest)
     const enum lim_ahead_stage stage =
         IS_LISTED(nearest) ? collect_some_of_list(nearest) : collect_some_of_tree(nearest);
 
-    if (LIM_HAS_STATS && stage == LIM_AHEAD_DONE) note_pools(nearest);
+    if (LIM_HAS_STATS && stage == LIM_AHEAD_DONE) lim_nearest_note_pools(nearest);
     return stage;
 }
 

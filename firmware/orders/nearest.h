@@ -33,7 +33,11 @@ LIM_MUST_CHECK int lim_nearest_paint(struct lim_nearest *nearest, enum lim_ahead
 /* Pass one over a band. false: a pool is exhausted. */
 bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band);
 
-/* The same over the frame, in quanta: what it returns is LIM_AHEAD_BUSY but for the last. */
+/* A band, before its first polygon; and what its pools took, after the last one. */
+void lim_nearest_open(struct lim_nearest *nearest, const struct lim_rect *band);
+void lim_nearest_note_pools(struct lim_nearest *nearest);
+
+/* Pass one over the frame, in quanta: what it returns is LIM_AHEAD_BUSY but for the last. */
 void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame);
 enum lim_ahead_stage lim_collect_some(struct lim_nearest *nearest);
 

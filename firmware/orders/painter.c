@@ -255,8 +255,6 @@ static LIM_IF_CALLED int paint_piece_line(struct lim_painter *painter, uint16_t 
     return 0;
 }
 
-static lim_mover_draw paint_mover;
-
 /* The part of the screen that is painted is all of it, or a line. */
 static LIM_IF_CALLED int paint_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
                                      const struct lim_rect *screen)

@@ -79,6 +79,7 @@ static void add_share(struct lim_sorter *sorter, struct lim_queue *queue, const 
         sorter->used--;
     else
         lim_queue_add(queue, entry);
+    lim_movers_note_entries(sorter);
 }
 
 /* false: no room. */

@@ -346,6 +346,7 @@ static int draw_share(struct lim_sorter *sorter, uint16_t entry, const struct li
 
     sorter->list[entry].record = (lim_index)(face->record - sorter->movers->instances[face->mover].object->polygons);
     const enum lim_part_share share = lim_part_take(part, sorter, entry);
+    lim_movers_note_entries(sorter);
     if (share != LIM_PART_NOTHING) err = draw_piece(sorter, entry, face, sink);
     sorter->newell->cuts_used = cuts_used;
     return err;

@@ -9,22 +9,18 @@
 /* Puts a list that has come to empty space in order, nearest first or the other way round. Returns its head. */
 uint16_t lim_movers_order(struct lim_sorter *sorter, uint16_t list, bool back_to_front);
 
-/* Who draws: `entry` is LIM_NONE for a polygon that was never cut. */
-typedef int lim_mover_draw(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
-                           const struct lim_rect *open);
-/* The same, of an object's record before it is projected, in the colour that it has: LIM_MOVER_DRAW, to draw it then.
- */
-typedef int lim_mover_take(void *ctx, struct lim_view *view, const struct lim_scene *object,
-                           const LIM_FLASH lim_index *record);
-#define LIM_MOVER_DRAW INT16_MIN
-
+/* Who draws. */
 struct lim_mover_sink {
-    lim_mover_draw *draw;
-    lim_mover_take *take; /* or NULL */
+    /* A polygon, or the piece `entry` of one; LIM_NONE: it was never cut. */
+    int (*draw)(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon, const struct lim_rect *open);
+    /* An object's record before it is projected, in the colour that it has: LIM_MOVER_DRAW, to draw it then. Or NULL.
+     */
+    int (*take)(void *ctx, struct lim_view *view, const struct lim_scene *object, const LIM_FLASH lim_index *record);
     void *ctx;
     const struct lim_rect *open;
     bool back_to_front;
 };
+#define LIM_MOVER_DRAW INT16_MIN
 
 /* Draws the polygons of an ordered list's entries one by one. Ends with what the sink returns, if that is not 0. */
 int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_mover_sink *sink);

@@ -6,7 +6,6 @@
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "pieces/piece.h"
-#include "routes/mover_list.h"
 
 #if LIM_HAS_MOVERS
 
@@ -118,9 +117,7 @@ enum lim_part_share lim_part_take(const struct lim_part *part, struct lim_sorter
         link = &newell->cuts[newell->cuts_used++].next;
     }
     newell->polygons[entry].cuts = cuts;
-    if (cuts == LIM_NONE) return LIM_PART_ALL;
-    lim_movers_note_entries(sorter);
-    return LIM_PART_PIECE;
+    return cuts == LIM_NONE ? LIM_PART_ALL : LIM_PART_PIECE;
 }
 
 #endif

@@ -313,8 +313,8 @@ static void raise_shared(struct usage *usage, bool moves, struct lim_limits *lim
     limits->retained_cells = greater(limits->retained_cells, greater(within(cells), needs_least_cells(limits)));
 }
 
-/* Beside what was used, for the object with the most polygons to be taken by those that face the eye: few views have to,
- * and perhaps none that was sampled. */
+/* Beside what was used, for the object with the most polygons to be taken by those that face the eye: few views have
+ * to, and perhaps none that was sampled. */
 static uint16_t entries_for(const struct usage *usage, const struct moving *moving)
 {
     uint32_t most_polygons = 0;
