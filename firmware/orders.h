@@ -104,7 +104,7 @@ struct lim_newell_polygon {
             int32_t near_qv;      /* view-space z of its nearest vertex */
             struct lim_rect rect; /* holds every pixel of it */
         };
-        struct lim_extent extent; /* of a mover's, on its way down the tree */
+        struct lim_extent extent; /* of a mover's part, on its way down the tree */
     };
     lim_index node;      /* whose run it is in */
     uint16_t cuts;       /* the last cut that made this piece, or LIM_NONE: it is whole */
@@ -148,7 +148,7 @@ struct lim_sorter {
     struct lim_sorted *list;
     uint16_t size, used;
     uint16_t first; /* of the list; once the frame is ordered, the nearest */
-    bool comparing; /* movers by newell.c: what it wants to know of pieces is kept up */
+    bool comparing; /* movers by newell.c */
     LIM_OPTIONAL(struct lim_newell, newell, LIM_HAS_PIECES);
 };
 

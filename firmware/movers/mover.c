@@ -160,8 +160,8 @@ int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3]
 enum { NOT_SET_QV = 0 };
 
 /* What is asked of a camera here is asked already, of the scene's, and of where its eye is. */
-static void set_rows(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera,
-                     const int32_t axes_q30[9])
+static void turn_rows(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera,
+                      const int32_t axes_q30[9])
 {
     const bool is_set = lim_rows_set_turned(&view->rows, scene, camera, axes_q30);
 
@@ -185,7 +185,7 @@ static LIM_ALONE void turn_view(const struct lim_movers *movers, uint16_t mover)
     }
     const int32_t near_end_q8 = LIM_NEAR_MAX_Q8 >> instance->finer_bits;
     own.near_q8 = own.near_q8 < near_end_q8 ? own.near_q8 << instance->finer_bits : LIM_NEAR_MAX_Q8;
-    set_rows(&self->view, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30);
+    turn_rows(&self->view, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30);
 }
 
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
@@ -377,7 +377,7 @@ const struct lim_view *lim_movers_world(struct lim_movers *movers)
         for (uint_fast8_t i = 0; i < 3; i++)
             half.eye_q8[i] >>= 1;
         half.near_q8 = half.near_q8 > 1 ? half.near_q8 >> 1 : 1;
-        set_rows(&movers->world, NULL, &half, movers->axes_q30);
+        turn_rows(&movers->world, NULL, &half, movers->axes_q30);
     }
     return &movers->world;
 }

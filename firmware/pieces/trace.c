@@ -248,14 +248,14 @@ static bool set_crossing(struct crossing *crossing, const struct trace *trace, u
 
 /* Which of a line's pixels a cut leaves: all, or those on one side of its trace. What is as good as on the plane is in
  * front. */
-enum side { ANY, LOW, HIGH };
+enum trace_side { WHOLE, LOW, HIGH };
 
-static enum side side_of(const struct crossing *crossing, bool front)
+static enum trace_side kept_side(const struct crossing *crossing, bool front)
 {
     return front == crossing->front_is_low ? LOW : HIGH;
 }
 
-static inline struct lim_point narrowed(struct lim_point line, int32_t x, enum side side)
+static inline struct lim_point narrowed(struct lim_point line, int32_t x, enum trace_side side)
 {
     if (side == LOW && x < line.y) line.y = (lim_sub)(x > line.x ? x : line.x);
     if (side == HIGH && x > line.x) line.x = (lim_sub)(x < line.y ? x : line.y);
@@ -265,7 +265,7 @@ static inline struct lim_point narrowed(struct lim_point line, int32_t x, enum s
 /* Cuts all lines. */
 static void narrow_all(struct lim_point *last, const struct crossing *crossing, int16_t top, int16_t bottom, bool front)
 {
-    const enum side side = side_of(crossing, front);
+    const enum trace_side side = kept_side(crossing, front);
     int32_t x_q20 = crossing->x_q20 + crossing->slope_q20 * top;
 
     for (struct lim_point *line = &last[bottom - 1 - top]; line >= last; line--) {
@@ -278,11 +278,11 @@ static void narrow_all(struct lim_point *last, const struct crossing *crossing, 
  * a cut leaves of them. */
 static LIM_HOT_INLINE void trace_lines(struct lim_point *last, const struct lim_screen_polygon *whole,
                                        const struct lim_rect *open, int16_t top, int16_t bottom,
-                                       const struct crossing *crossing, enum side side)
+                                       const struct crossing *crossing, enum trace_side side)
 {
     const int32_t x0 = open->x0, x1 = open->x1;
-    const int32_t slope_q20 = side == ANY ? 0 : crossing->slope_q20;
-    int32_t x_q20 = side == ANY ? 0 : crossing->x_q20 + slope_q20 * top;
+    const int32_t slope_q20 = side == WHOLE ? 0 : crossing->slope_q20;
+    int32_t x_q20 = side == WHOLE ? 0 : crossing->x_q20 + slope_q20 * top;
     struct lim_point *line = &last[bottom - 1 - top];
     struct lim_edge_pair pair;
     int16_t turn = lim_edge_start(&pair, whole->at, whole->n, whole->shape.first, top);
@@ -451,7 +451,7 @@ void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const stru
     struct crossing crossing;
 
     if (cut == LIM_NONE) {
-        trace_lines(last, whole, open, *top, *bottom, NULL, ANY);
+        trace_lines(last, whole, open, *top, *bottom, NULL, WHOLE);
         return;
     }
     trace_of(&trace, sorter, entry, cut);
@@ -459,9 +459,9 @@ void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const stru
     bound_lines(whole, &trace, front, top, bottom);
     if (*top >= *bottom) return;
     if (!set_crossing(&crossing, &trace, target->h_px)) {
-        trace_lines(last, whole, open, *top, *bottom, NULL, ANY);
+        trace_lines(last, whole, open, *top, *bottom, NULL, WHOLE);
         search_all(last, &trace, *top, *bottom, front, target->w_px);
-    } else if (side_of(&crossing, front) == LOW) {
+    } else if (kept_side(&crossing, front) == LOW) {
         trace_lines(last, whole, open, *top, *bottom, &crossing, LOW);
     } else {
         trace_lines(last, whole, open, *top, *bottom, &crossing, HIGH);

@@ -114,7 +114,7 @@ lim_index lim_route_next_alone(struct lim_route *route)
 }
 
 /* Whether an object that the whole screen shows has no box but that of all: what has come here is in view. */
-static bool is_in_view(const struct lim_sorter *sorter, const struct lim_scene *object, const struct lim_rect *open)
+static bool is_all_in_view(const struct lim_sorter *sorter, const struct lim_scene *object, const struct lim_rect *open)
 {
     const struct lim_target *target = &sorter->pass->target;
 
@@ -138,7 +138,7 @@ void lim_route_object(struct lim_route *route, struct lim_sorter *sorter, uint16
     route->node = LIM_NO_INDEX;
     route->side = 0;
     route->back_to_front = back_to_front;
-    if (LIM_HAS_CULL && is_in_view(sorter, route->scene, open))
+    if (LIM_HAS_CULL && is_all_in_view(sorter, route->scene, open))
         movers->cull->inside_depth = 0;
     else if (LIM_HAS_CULL)
         lim_cull_set(movers->cull, lim_mover_view(movers, mover), self->eye.at_q8, open);
