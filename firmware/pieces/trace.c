@@ -268,7 +268,8 @@ static void narrow_all(struct lim_point *last, const struct crossing *crossing, 
     const enum trace_side side = kept_side(crossing, front);
     int32_t x_q20 = crossing->x_q20 + crossing->slope_q20 * top;
 
-    for (struct lim_point *line = &last[bottom - 1 - top]; line >= last; line--) {
+    for (struct lim_point *line = &last[bottom - top]; line > last;) {
+        line--;
         *line = narrowed(*line, x_q20 >> 20, side);
         x_q20 = (int32_t)((uint32_t)x_q20 + (uint32_t)crossing->slope_q20);
     }
@@ -283,7 +284,7 @@ static LIM_HOT_INLINE void trace_lines(struct lim_point *last, const struct lim_
     const int32_t x0 = open->x0, x1 = open->x1;
     const int32_t slope_q20 = side == WHOLE ? 0 : crossing->slope_q20;
     int32_t x_q20 = side == WHOLE ? 0 : crossing->x_q20 + slope_q20 * top;
-    struct lim_point *line = &last[bottom - 1 - top];
+    struct lim_point *line = &last[bottom - top];
     struct lim_edge_pair pair;
     int16_t turn = lim_edge_start(&pair, whole->at, whole->n, whole->shape.first, top);
 
@@ -292,13 +293,13 @@ static LIM_HOT_INLINE void trace_lines(struct lim_point *last, const struct lim_
         struct lim_edge left, right;
         lim_edge_copy(&left, &pair.left);
         lim_edge_copy(&right, &pair.right);
-        for (; line >= end; line--) {
+        while (line > end) {
             const int32_t from = lim_edge_next_x(&left), to = lim_edge_next_x(&right);
             const struct lim_point all = {(lim_sub)(from > x0 ? from : x0), (lim_sub)(to < x1 ? to : x1)};
-            *line = narrowed(all, x_q20 >> 20, side);
+            *--line = narrowed(all, x_q20 >> 20, side);
             x_q20 = (int32_t)((uint32_t)x_q20 + (uint32_t)slope_q20);
         }
-        if (line < last) return;
+        if (line == last) return;
         lim_edge_follow(&pair.left, &left);
         lim_edge_follow(&pair.right, &right);
         turn = lim_edge_turn(&pair, whole->at, whole->n, turn);
@@ -358,7 +359,8 @@ static void search_all(struct lim_point *last, const struct trace *trace, int16_
     const int64_t across = trace->step * (w_px - 1);
     int64_t value = trace->first + trace->down * top;
 
-    for (struct lim_point *line = &last[bottom - 1 - top]; line >= last; line--, value += trace->down) {
+    for (struct lim_point *line = &last[bottom - top]; line > last; value += trace->down) {
+        line--;
         const bool is_front = is_in_front(value), is_one_side = is_front == is_in_front(value + across);
         if (is_slanted || !is_one_side) {
             if (line->x < line->y) narrow(line, trace, (int16_t)(bottom - 1 - (line - last)), front);
@@ -456,7 +458,7 @@ void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const stru
     }
     trace_of(&trace, sorter, entry, cut);
     const bool front = newell->cuts[cut].by & LIM_CUT_FRONT;
-    bound_lines(whole, &trace, front, top, bottom);
+    if (!LIM_OPTIMISE_SIZE) bound_lines(whole, &trace, front, top, bottom);
     if (*top >= *bottom) return;
     if (!set_crossing(&crossing, &trace, target->h_px)) {
         trace_lines(last, whole, open, *top, *bottom, NULL, WHOLE);
