@@ -149,6 +149,7 @@ static void through_one_another_they_are_split(void **state)
     mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
     view_crossing(&rig);
     assert_true(mover_rig_stats(&rig)->movers.pieces > 0);
+    assert_int_equal(mover_rig_stats(&rig)->newell.comparisons, 0); /* by the tree of one of them */
     assert_int_equal(mover_rig_stats(&rig)->movers.forced + mover_rig_stats(&rig)->newell.forced, 0);
     assert_right(&rig, 600);
     mover_rig_free(&rig);
