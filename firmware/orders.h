@@ -51,8 +51,8 @@ struct lim_mesh_leaf {
 
 /* An instance as this frame has it. */
 struct lim_mover {
-    struct lim_view view;    /* in the object's coordinates; the cache is shared */
-    struct lim_eye eye;      /* likewise */
+    struct lim_view view; /* in the object's coordinates, once lim_mover_view() has set its rows; the cache is shared */
+    struct lim_eye eye;   /* likewise */
     int32_t centre_q12[3];   /* of the object's box, units of the static scene, |centre| + radius < 2^28 */
     int32_t radius_q12;      /* negative: it is left out */
     int32_t half_q12[3];     /* likewise: of a box along the scene's axes */
@@ -106,13 +106,14 @@ struct lim_movers {
     uint16_t cached; /* whose vertices the cache holds */
     struct lim_route_pending *stack, *object_stack;
     uint16_t object_depth;
-    int32_t ahead_q28[3]; /* the camera's */
-    int32_t eye_q8[3];
+    struct lim_camera camera;
+    int32_t axes_q30[9];                               /* the camera's */
+    int32_t ahead_q28[3];                              /* likewise */
     lim_word_s64 eye_ahead_q40;                        /* how far along that the eye is */
     struct lim_placed placed[LIM_PLACED_CORNERS];      /* of this frame, lately */
     struct lim_placed_plane planes[LIM_PLACED_PLANES]; /* likewise */
     struct lim_kept_corners kept[LIM_KEPT_CORNERS];    /* of this walk, lately */
-    struct lim_view world; /* of the static scene at half its scale, so that it reaches to 2^16 units */
+    struct lim_view world;                             /* lim_movers_world() */
     LIM_OPTIONAL(struct lim_light, light, LIM_HAS_LIGHT);
     LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);             /* of the object that is being drawn whole */
     LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES); /* likewise */
@@ -139,7 +140,7 @@ struct lim_newell_polygon {
             int32_t near_qv;      /* view-space z of its nearest vertex */
             struct lim_rect rect; /* holds every pixel of it */
         };
-        struct lim_extent extent; /* of a mover's, on its way down the tree */
+        struct lim_extent extent; /* of a mover's part, on its way down the tree */
     };
     lim_index node;      /* whose run it is in */
     uint16_t cuts;       /* the last cut that made this piece, or LIM_NONE: it is whole */
@@ -183,7 +184,7 @@ struct lim_sorter {
     struct lim_sorted *list;
     uint16_t size, used;
     uint16_t first; /* of the list; once the frame is ordered, the nearest */
-    bool comparing; /* movers by newell.c: what it wants to know of pieces is kept up */
+    bool comparing; /* movers by newell.c */
     LIM_OPTIONAL(struct lim_newell, newell, LIM_HAS_PIECES);
 };
 
@@ -196,6 +197,7 @@ static inline bool lim_moves(const struct lim_sorter *sorter)
 struct lim_route {
     struct lim_sorter *sorter; /* of the lists */
     const struct lim_scene *scene;
+    uint16_t mover; /* that is walked through, or LIM_NONE: the static scene */
     const struct lim_eye *eye;
     struct lim_cull *cull; /* the open view in the scene's coordinates */
     const uint8_t *shown;  /* NULL: all (portals.h) */

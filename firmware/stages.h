@@ -86,8 +86,8 @@ struct lim_newell_stats {
 struct lim_mover_stats {
     uint32_t left_out; /* without a mesh, beyond the number, too far away, or drawn by a method without a tree */
     uint32_t hidden;   /* out of view */
-    uint32_t divided;  /* that reached through a plane: their polygons were taken one by one */
-    uint32_t pieces;   /* cuts by planes of the scene */
+    uint32_t divided;  /* instances, or parts of such, that a plane took apart; or that were taken by their polygons */
+    uint32_t pieces;   /* polygons of parts that were told from their wholes */
     uint32_t forced;   /* left to their centres, because there was no room: perhaps wrong */
     uint32_t entries;  /* most in use in one walk, of entries or of cuts */
     uint32_t unsorted; /* lists that met a leaf's polygons without being sorted with them: perhaps wrong */

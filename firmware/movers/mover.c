@@ -156,8 +156,42 @@ int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3]
     return (int32_t)(sum_q40 >> 31);
 }
 
+/* Of a view's rows that are not set yet: no others have this. */
+enum { NOT_SET_QV = 0 };
+
+/* What is asked of a camera here is asked already, of the scene's, and of where its eye is. */
+static void turn_rows(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera,
+                      const int32_t axes_q30[9])
+{
+    const bool is_set = lim_rows_set_turned(&view->rows, scene, camera, axes_q30);
+
+    LIM_DEBUG_ASSERT(is_set);
+    (void)is_set;
+}
+
+/* The camera, as the object sees it. */
+static LIM_ALONE void turn_view(const struct lim_movers *movers, uint16_t mover)
+{
+    const struct lim_instance *instance = &movers->instances[mover];
+    struct lim_mover *self = &movers->movers[mover];
+    struct lim_camera own = movers->camera;
+    int32_t own_axes_q30[9];
+
+    for (uint_fast8_t j = 0; j < 3; j++) {
+        own.eye_q8[j] = self->eye.at_q8[j];
+        for (uint_fast8_t i = 0; i < 3; i++)
+            own_axes_q30[3 * i + j] =
+                (int32_t)shift_round_s64(lim_along_axis(instance, j, &movers->axes_q30[3 * i]), 30);
+    }
+    const int32_t near_end_q8 = LIM_NEAR_MAX_Q8 >> instance->finer_bits;
+    own.near_q8 = own.near_q8 < near_end_q8 ? own.near_q8 << instance->finer_bits : LIM_NEAR_MAX_Q8;
+    turn_rows(&self->view, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30);
+}
+
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
 {
+    struct lim_view *view = &movers->movers[mover].view;
+
     if (movers->cached != mover) {
         uint_fast16_t filled = LIM_VIEW_CACHE_ENTRIES; /* the entry of a vertex is its number, modulo that */
         if (movers->cached != LIM_NONE && movers->instances[movers->cached].object->vertex_count < filled)
@@ -165,8 +199,9 @@ struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
         while (filled)
             movers->cache[--filled].vertex = LIM_NO_INDEX;
         movers->cached = mover;
+        if (view->rows.near_qv == NOT_SET_QV) turn_view(movers, mover);
     }
-    return &movers->movers[mover].view;
+    return view;
 }
 
 /* What holds the object: its root's box, or what holds its vertices where it is too small to have one, or deforms. */
@@ -216,21 +251,21 @@ static uint32_t root_above(uint32_t x)
     return root + 1;
 }
 
-/* Of the ball around a point that holds all vertices, none of which is farther along an axis than `most`. */
+/* Of the ball around a point that holds all vertices, none of which is farther along an axis than `most`. What is
+ * rounded down is short by less than one along each axis, so by less than two in all. */
 static uint32_t reach_of_vertices(const struct lim_scene *object, const int32_t centre[3], uint32_t most)
 {
     const uint8_t zeros = clz_u32(most | 1),
                   shift = (uint8_t)(zeros < 18 ? 18 - zeros : 0); /* to 14 bits: squares below 2^30 */
-    const uint32_t up = (UINT32_C(1) << shift) - 1;
     uint32_t square = 0;
 
     for (lim_index k = 0; k < object->vertex_count; k++) {
         const struct lim_vertex at = object->vertices[k];
-        const uint32_t x = (abs_s32(at.x - centre[0]) + up) >> shift, y = (abs_s32(at.y - centre[1]) + up) >> shift;
-        const uint32_t z = (abs_s32(at.z - centre[2]) + up) >> shift, sum = x * x + y * y + z * z;
+        const int32_t x = (at.x - centre[0]) >> shift, y = (at.y - centre[1]) >> shift, z = (at.z - centre[2]) >> shift;
+        const uint32_t sum = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
         if (sum > square) square = sum;
     }
-    return (root_above(square) << shift) + (LIM_HAS_FRACTIONS ? 2 : 0);
+    return ((root_above(square) + (shift ? 2 : 0)) << shift) + (LIM_HAS_FRACTIONS ? 2 : 0);
 }
 
 /* As in rows.c, a length is at most that of its longest component and 107/256 of the others. */
@@ -286,25 +321,19 @@ static bool is_usable(const struct lim_movers *movers, const struct lim_instance
            (LIM_HAS_LARGE || !object->exact_count);
 }
 
-/* The camera, as the object sees it. false: it is too far away. */
-static bool turn_camera(struct lim_camera *own, const struct lim_camera *camera, const struct lim_instance *instance,
-                        const int32_t axes_q30[9], int32_t own_axes_q30[9])
+/* The eye, as the object sees it. false: it is too far away. */
+static bool turn_eye(int32_t own_q8[3], const int32_t eye_q8[3], const struct lim_instance *instance)
 {
     int32_t away_q8[3];
 
-    *own = *camera;
     for (uint_fast8_t i = 0; i < 3; i++)
-        away_q8[i] = camera->eye_q8[i] - instance->at_q8[i];
+        away_q8[i] = eye_q8[i] - instance->at_q8[i];
     for (uint_fast8_t j = 0; j < 3; j++) {
-        const int64_t eye_q8 =
+        const int64_t at_q8 =
             shift_round_s64(lim_along_axis(instance, j, away_q8), (uint8_t)(30 - instance->finer_bits));
-        if (eye_q8 >= LIM_EYE_MAX_Q8 || eye_q8 <= -LIM_EYE_MAX_Q8) return false;
-        own->eye_q8[j] = (int32_t)eye_q8;
-        for (uint_fast8_t i = 0; i < 3; i++)
-            own_axes_q30[3 * i + j] = (int32_t)shift_round_s64(lim_along_axis(instance, j, &axes_q30[3 * i]), 30);
+        if (at_q8 >= LIM_EYE_MAX_Q8 || at_q8 <= -LIM_EYE_MAX_Q8) return false;
+        own_q8[j] = (int32_t)at_q8;
     }
-    const int32_t near_end_q8 = LIM_NEAR_MAX_Q8 >> instance->finer_bits;
-    own->near_q8 = camera->near_q8 < near_end_q8 ? camera->near_q8 << instance->finer_bits : LIM_NEAR_MAX_Q8;
     return true;
 }
 
@@ -323,23 +352,20 @@ static LIM_RARE void set_view(struct lim_view *to, const struct lim_view *from, 
     to->height = from->height;
     to->cache = cache;
     to->vertices = 0;
+    to->rows.near_qv = NOT_SET_QV;
     if (LIM_HAS_ANTIALIAS) lim_view_set_antialiased(to, lim_is_antialiased(from));
 }
 
-static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_t i, const struct lim_camera *camera,
-                 const int32_t axes_q30[9])
+static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_t i)
 {
     const struct lim_instance *instance = &movers->instances[i];
     struct lim_mover *mover = &movers->movers[i];
-    struct lim_camera own;
-    int32_t own_axes_q30[9];
+    int32_t eye_q8[3];
 
     mover->radius_q12 = -1;
-    if (!is_usable(movers, instance) || !turn_camera(&own, camera, instance, axes_q30, own_axes_q30)) return false;
+    if (!is_usable(movers, instance) || !turn_eye(eye_q8, movers->camera.eye_q8, instance)) return false;
     set_view(&mover->view, view, movers->cache);
-    if (!lim_rows_set_turned(&mover->view.rows, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30))
-        return false;
-    lim_eye_set(&mover->eye, instance->object, own.eye_q8);
+    lim_eye_set(&mover->eye, instance->object, eye_q8);
     if (LIM_HAS_LIGHT) turn_light(mover, instance, movers->light);
     set_ball(mover, instance);
     if (is_within(mover)) return true;
@@ -354,37 +380,35 @@ void lim_movers_set_antialiased(struct lim_movers *movers, bool antialiased)
         lim_view_set_antialiased(&movers->movers[i].view, antialiased);
 }
 
-/* Half the scene, seen by half the camera. */
-static bool set_world(struct lim_movers *movers, const struct lim_view *view, const struct lim_camera *camera,
-                      const int32_t axes_q30[9])
+const struct lim_view *lim_movers_world(struct lim_movers *movers)
 {
-    struct lim_camera half = *camera;
-
-    for (uint_fast8_t i = 0; i < 3; i++)
-        half.eye_q8[i] >>= 1;
-    half.near_q8 = camera->near_q8 > 1 ? camera->near_q8 >> 1 : 1;
-    set_view(&movers->world, view, view->cache);
-    return lim_rows_set_turned(&movers->world.rows, NULL, &half, axes_q30);
+    if (movers->world.rows.near_qv == NOT_SET_QV) {
+        struct lim_camera half = movers->camera;
+        for (uint_fast8_t i = 0; i < 3; i++)
+            half.eye_q8[i] >>= 1;
+        half.near_q8 = half.near_q8 > 1 ? half.near_q8 >> 1 : 1;
+        turn_rows(&movers->world, NULL, &half, movers->axes_q30);
+    }
+    return &movers->world;
 }
 
 void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const struct lim_camera *camera)
 {
-    int32_t axes_q30[9];
     uint32_t drawn = 0;
 
     movers->cached = LIM_NONE;
     lim_mover_forget_corners(movers);
     if (!movers->given) return;
-    lim_orientation_set(axes_q30, camera);
+    movers->camera = *camera;
+    lim_orientation_set(movers->axes_q30, camera);
     movers->eye_ahead_q40 = 0;
     for (uint_fast8_t i = 0; i < 3; i++) {
-        movers->ahead_q28[i] = axes_q30[6 + i] >> 2;
-        movers->eye_q8[i] = camera->eye_q8[i];
+        movers->ahead_q28[i] = movers->axes_q30[6 + i] >> 2;
         movers->eye_ahead_q40 += movers->ahead_q28[i] * ((int64_t)camera->eye_q8[i] * 16);
     }
-    if (!set_world(movers, &pass->view, camera, axes_q30)) movers->count = 0;
+    set_view(&movers->world, &pass->view, pass->view.cache);
     for (uint16_t i = 0; i < movers->count; i++)
-        drawn += pose(movers, &pass->view, i, camera, axes_q30);
+        drawn += pose(movers, &pass->view, i);
     if (LIM_HAS_STATS) lim_stats_of(pass)->movers.left_out = movers->given - drawn;
 }
 

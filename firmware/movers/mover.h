@@ -32,6 +32,9 @@ void lim_mover_forget_pieces(struct lim_movers *movers);
 /* They have moved. */
 void lim_mover_forget_corners(struct lim_movers *movers);
 
+/* The static scene's at half its scale, so that it reaches to 2^16 units. */
+const struct lim_view *lim_movers_world(struct lim_movers *movers);
+
 /* The mover's view, with the cache empty or its own. */
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover);
 

@@ -40,7 +40,7 @@ static bool is_before_along_axis(const struct lim_movers *movers, const struct l
         const int32_t away_q12 = b->centre_q12[i] - a->centre_q12[i];
         if ((int32_t)abs_s32(away_q12) < a->half_q12[i] + b->half_q12[i]) continue;
         const int32_t end_q8 = (b->centre_q12[i] + (away_q12 > 0 ? -b->half_q12[i] : b->half_q12[i])) >> 4;
-        if (away_q12 > 0 ? movers->eye_q8[i] <= end_q8 : movers->eye_q8[i] > end_q8) return true;
+        if (away_q12 > 0 ? movers->camera.eye_q8[i] <= end_q8 : movers->camera.eye_q8[i] > end_q8) return true;
     }
     return false;
 }
@@ -86,11 +86,12 @@ static bool is_parted(const struct lim_movers *movers, uint16_t of, uint16_t bal
 {
     const struct lim_mover *mover = &movers->movers[of], *other = &movers->movers[ball];
     int32_t away_q8[3], to_eye_q8[3];
-    struct beside beside = {.radius_q8 = (other->radius_q12 >> 4) + 512};
+    struct beside beside; /* filled in below: an initialiser would be a call of memset() */
 
+    beside.radius_q8 = (other->radius_q12 >> 4) + 512;
     for (uint_fast8_t i = 0; i < 3; i++) {
         away_q8[i] = (other->centre_q12[i] >> 4) - (mover->centre_q12[i] >> 4);
-        to_eye_q8[i] = movers->eye_q8[i] - (mover->centre_q12[i] >> 4);
+        to_eye_q8[i] = movers->camera.eye_q8[i] - (mover->centre_q12[i] >> 4);
     }
     for (uint_fast8_t j = 0; j < 3; j++) {
         beside.ball_q8[j] = (int32_t)(lim_along_axis(&movers->instances[of], j, away_q8) >> 30);

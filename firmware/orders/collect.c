@@ -191,9 +191,9 @@ static inline uint16_t texture_word(const struct lim_pass *pass, const LIM_FLASH
 }
 
 /* A polygon that is opaque and neither clipped nor non-monotone, whose points lie where they would be retained: none of
- * it is ever copied. */
+ * it is ever copied. What moves has no texture. */
 static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim_index *record, struct lim_point *at,
-                                uint8_t n, struct lim_edge_shape *shape)
+                                uint8_t n, struct lim_edge_shape *shape, bool moves)
 {
     struct lim_pass *const pass = nearest->pass;
     const struct lim_rect *open = &nearest->spans.open;
@@ -218,7 +218,7 @@ static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim
         shown = seen;
     }
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons_seen++;
-    const uint16_t texture = texture_word(pass, record);
+    const uint16_t texture = moves ? (uint16_t)LIM_NONE : texture_word(pass, record);
     const bool textured = LIM_HAS_TEXTURE && texture != LIM_NONE;
     if (textured) nearest->retained.textured = true;
     lim_retained_link(&nearest->spans, &nearest->retained, &nearest->spans.lines[shown.top], n, shape->first,
@@ -229,7 +229,8 @@ static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim
 }
 
 /* Of a record as most are, where there is room for its points. */
-static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
+static inline enum outcome collect_fast(struct lim_nearest *nearest, struct lim_view *view,
+                                        const struct lim_scene *scene, const LIM_FLASH lim_index *record, bool moves)
 {
     struct lim_pass *const pass = nearest->pass;
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
@@ -239,11 +240,11 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, const LIM_F
 
     LIM_DEBUG_ASSERT(n <= LIM_MAX_VERTICES);
     if (!at) return SLOW_PATH;
-    if (!lim_project_fast(&shape, at, n, &pass->view, pass->scene, record, &codes)) return SLOW_PATH;
+    if (!lim_project_fast(&shape, at, n, view, scene, record, &codes)) return SLOW_PATH;
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons++;
     if (lim_view_all_outside(codes)) return NOTHING_OPEN;
     if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) nearest->retained.overhangs = true;
-    return take(nearest, record, at, n, &shape);
+    return take(nearest, record, at, n, &shape, moves);
 }
 
 /* What follows a polygon. false: a pool is exhausted. */
@@ -262,12 +263,29 @@ static inline bool go_on_after(struct lim_nearest *nearest, enum outcome outcome
 /* A record that faces the eye. false: a pool is exhausted. */
 bool lim_collect_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
-    enum outcome outcome =
-        !LIM_OPTIMISE_SIZE && is_for_fast_path(nearest, record) ? collect_fast(nearest, record) : SLOW_PATH;
+    enum outcome outcome = !LIM_OPTIMISE_SIZE && is_for_fast_path(nearest, record)
+                               ? collect_fast(nearest, &nearest->pass->view, nearest->pass->scene, record, false)
+                               : SLOW_PATH;
 
     if (outcome == SLOW_PATH) outcome = collect_any(nearest, record) ? COLLECTED : EXHAUSTED_POOL;
     return go_on_after(nearest, outcome);
 }
+
+#if LIM_HAS_MOVERS
+enum lim_collected lim_collect_moving(struct lim_nearest *nearest, struct lim_view *view,
+                                      const struct lim_scene *object, const LIM_FLASH lim_index *record)
+{
+    if (!is_for_fast_path(nearest, record)) return LIM_COLLECT_SLOWLY;
+    switch (collect_fast(nearest, view, object, record, true)) {
+    case SLOW_PATH:
+        return LIM_COLLECT_SLOWLY;
+    case EXHAUSTED_POOL:
+        return LIM_COLLECT_EXHAUSTED;
+    default:
+        return LIM_COLLECTED;
+    }
+}
+#endif
 
 /* Mesh leaves ------------------------------------------------------------------------------------------------------ */
 
@@ -283,7 +301,7 @@ static inline enum outcome collect_fast_entry(struct lim_nearest *nearest, const
 
     if (!at || !lim_mesh_leaf_corners(leaf, record, n, at) || !lim_edge_bounds_plain(&shape, at, n)) return SLOW_PATH;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons++;
-    return take(nearest, record, at, n, &shape);
+    return take(nearest, record, at, n, &shape, false);
 }
 
 static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)

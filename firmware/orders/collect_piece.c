@@ -124,8 +124,7 @@ static inline enum lim_span_result see_piece(struct lim_nearest *nearest, uint16
                       (int16_t)(*bottom * LIM_SAMPLE_ROWS));
         return pass_rows(nearest, whole, last, *top, *bottom);
     }
-    lim_trace_lines(last, whole, &nearest->spans.open, *top, *bottom);
-    lim_trace_cut(lim_nearest_sorter(nearest), entry, whole, last, *top, *bottom);
+    lim_trace_lines(lim_nearest_sorter(nearest), entry, whole, &nearest->spans.open, last, top, bottom);
     trim(last, top, bottom);
     const uint8_t alpha = lim_wireframe_of(nearest->pass) ? (uint8_t)LIM_OPAQUE : lim_alpha_of(whole);
     return pass(nearest, alpha, last, *top, *bottom);

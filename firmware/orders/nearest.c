@@ -30,23 +30,6 @@
 /* Polygons come from the sorted list: a constant where nothing is walked, for meshes do not come here. */
 #define IS_LISTED(nearest) (!LIM_HAS_WALKED || LIM_IS_SORTED(&(nearest)->pass->target))
 
-/* Scan lines retain every polygon in view, and paint from far to near; not bands of one line, of which there are only
- * where memory is scarce: any number of polygons lie behind one another at a pixel, and the least pools hold one. */
-static inline bool can_retain_all(const struct lim_nearest *nearest, const struct lim_rect *band)
-{
-    if (!LIM_IS_SCANLINE(&nearest->pass->target) || band->y1 - band->y0 <= 1) return false;
-    return lim_nearest_may_retain_all(nearest);
-}
-
-static void note_pools(struct lim_nearest *nearest)
-{
-    struct lim_stats *stats = lim_stats_of(nearest->pass);
-    const uint16_t gaps = (uint16_t)(lim_share_gaps_end(&nearest->spans) - nearest->spans.fresh);
-
-    if (nearest->retained.used > stats->retained_cells_max) stats->retained_cells_max = nearest->retained.used;
-    if (gaps > stats->gaps_max) stats->gaps_max = gaps;
-}
-
 /* Polygons from the walk through the tree. false: a pool is exhausted. */
 static bool collect_run(struct lim_nearest *nearest, lim_index run)
 {
@@ -68,8 +51,6 @@ static bool collect_run(struct lim_nearest *nearest, lim_index run)
 
 enum { MOVER_EXHAUSTED = 1, MOVER_FULL }; /* a pool; all lines */
 
-static lim_mover_draw draw_mover;
-
 static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
                                     const struct lim_rect *open)
 {
@@ -81,14 +62,33 @@ static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_
     return nearest->spans.open_lines ? 0 : MOVER_FULL;
 }
 
+static LIM_IF_CALLED int take_mover(void *ctx, struct lim_view *view, const struct lim_scene *object,
+                                    const LIM_FLASH lim_index *record)
+{
+    struct lim_nearest *nearest = ctx;
+
+    switch (lim_collect_moving(nearest, view, object, record)) {
+    case LIM_COLLECT_SLOWLY:
+        return LIM_MOVER_DRAW;
+    case LIM_COLLECT_EXHAUSTED:
+        return MOVER_EXHAUSTED;
+    default:
+        return nearest->spans.open_lines ? 0 : MOVER_FULL;
+    }
+}
+
 /* What moves and has come to empty space. false: a pool is exhausted. */
 static LIM_IF_CALLED bool collect_list(struct lim_nearest *nearest, uint16_t list)
 {
     struct lim_sorter *const sorter = lim_nearest_sorter(nearest);
+    const struct lim_mover_sink sink = {.draw = draw_mover,
+                                        .take = LIM_OPTIMISE_SIZE ? NULL : take_mover,
+                                        .ctx = nearest,
+                                        .open = &nearest->spans.open,
+                                        .back_to_front = false};
 
     list = lim_movers_order(sorter, list, false);
-    if (lim_movers_draw(sorter, list, &nearest->spans.open, false, draw_mover, nearest) == MOVER_EXHAUSTED)
-        return false;
+    if (lim_movers_draw(sorter, list, &sink) == MOVER_EXHAUSTED) return false;
     if (!lim_nearest_retains_all(nearest)) lim_nearest_shrink(nearest);
     return true;
 }
@@ -157,26 +157,11 @@ static bool collect_from_source(struct lim_nearest *nearest, const struct lim_re
     return collect_from_tree(nearest, band);
 }
 
-static void open_band(struct lim_nearest *nearest, const struct lim_rect *band)
-{
-    if (LIM_HAS_ANTIALIAS) *nearest->spans.has_strips = lim_is_antialiased(&nearest->pass->view);
-    lim_retained_clear(&nearest->retained);
-    lim_spans_open(&nearest->spans, &nearest->pass->target, band);
-    nearest->since_shrink = 0;
-    nearest->top = band->y0;
-    nearest->bottom = band->y1;
-    if (LIM_HAS_SCANLINE) nearest->retains_all = can_retain_all(nearest, band);
-    nearest->retained.size = nearest->retained.end;
-    if (LIM_HAS_FENCE && !lim_nearest_retains_all(nearest))
-        nearest->retained.size = lim_share_cells_before_fence(&nearest->retained);
-    lim_share_set_lowest(&nearest->spans);
-}
-
 bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band)
 {
-    open_band(nearest, band);
+    lim_nearest_open(nearest, band);
     if (!collect_from_source(nearest, band)) return false;
-    if (LIM_HAS_STATS) note_pools(nearest);
+    if (LIM_HAS_STATS) lim_nearest_note_pools(nearest);
     return true;
 }
 
@@ -250,7 +235,7 @@ static LIM_IF_CALLED enum lim_ahead_stage collect_some_of_list(struct lim_neares
 
 void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame)
 {
-    open_band(nearest, frame);
+    lim_nearest_open(nearest, frame);
     if (IS_LISTED(nearest))
         nearest->progress.entry = lim_nearest_sorter(nearest)->first;
     else
@@ -262,7 +247,7 @@ enum lim_ahead_stage lim_collect_some(struct lim_nearest *nearest)
     const enum lim_ahead_stage stage =
         IS_LISTED(nearest) ? collect_some_of_list(nearest) : collect_some_of_tree(nearest);
 
-    if (LIM_HAS_STATS && stage == LIM_AHEAD_DONE) note_pools(nearest);
+    if (LIM_HAS_STATS && stage == LIM_AHEAD_DONE) lim_nearest_note_pools(nearest);
     return stage;
 }
 

@@ -33,13 +33,22 @@ LIM_MUST_CHECK int lim_nearest_paint(struct lim_nearest *nearest, enum lim_ahead
 /* Pass one over a band. false: a pool is exhausted. */
 bool lim_collect(struct lim_nearest *nearest, const struct lim_rect *band);
 
-/* The same over the frame, in quanta: what it returns is LIM_AHEAD_BUSY but for the last. */
+/* A band, before its first polygon; and what its pools took, after the last one. */
+void lim_nearest_open(struct lim_nearest *nearest, const struct lim_rect *band);
+void lim_nearest_note_pools(struct lim_nearest *nearest);
+
+/* Pass one over the frame, in quanta: what it returns is LIM_AHEAD_BUSY but for the last. */
 void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame);
 enum lim_ahead_stage lim_collect_some(struct lim_nearest *nearest);
 
 /* Pass one for a record that faces the eye, or for a projected polygon. false: a pool is exhausted. */
 bool lim_collect_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *record);
 bool lim_collect_polygon(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon);
+
+/* For a record of what moves, if it is as most are; else nothing is done, and it has to be projected and drawn. */
+enum lim_collected { LIM_COLLECTED, LIM_COLLECT_EXHAUSTED, LIM_COLLECT_SLOWLY };
+enum lim_collected lim_collect_moving(struct lim_nearest *nearest, struct lim_view *view,
+                                      const struct lim_scene *object, const LIM_FLASH lim_index *record);
 
 /* For all polygons of a mesh leaf whose run begins with this record. */
 bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_index *run);

@@ -277,8 +277,6 @@ static LIM_IF_CALLED int paint_piece_line(struct lim_painter *painter, uint16_t 
     return 0;
 }
 
-static lim_mover_draw paint_mover;
-
 /* The part of the screen that is painted is all of it, or a line. */
 static LIM_IF_CALLED int paint_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
                                      const struct lim_rect *screen)
@@ -300,8 +298,10 @@ static LIM_IF_CALLED int paint_list(struct lim_painter *painter, uint16_t list, 
 {
     struct lim_sorter *const sorter = lim_painter_sorter(painter);
 
+    const struct lim_mover_sink sink = {.draw = paint_mover, .ctx = painter, .open = screen, .back_to_front = true};
+
     list = lim_movers_order(sorter, list, true);
-    return lim_movers_draw(sorter, list, screen, true, paint_mover, painter);
+    return lim_movers_draw(sorter, list, &sink);
 }
 
 static LIM_IF_CALLED int paint_with_movers(struct lim_painter *painter, const struct lim_rect *screen)

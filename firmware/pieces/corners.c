@@ -263,23 +263,6 @@ bool lim_corners_split(const struct lim_sorter *sorter, uint16_t entry, const st
     return true;
 }
 
-struct lim_reach lim_corners_reach(const struct lim_corners *corners)
-{
-    struct lim_reach reach;
-
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        int32_t low = corners->at_q12[0][i], high = low;
-        for (uint_fast8_t k = 1; k < corners->n; k++) {
-            const int32_t at = corners->at_q12[k][i];
-            if (at < low) low = at;
-            if (at > high) high = at;
-        }
-        reach.low_q12[i] = low;
-        reach.high_q12[i] = high;
-    }
-    return reach;
-}
-
 /* In steps of two units. */
 static int16_t halved(int32_t at_q12, int32_t more)
 {

@@ -13,9 +13,7 @@ struct lim_reach {
     int32_t low_q12[3], high_q12[3];
 };
 
-struct lim_reach lim_corners_reach(const struct lim_corners *corners);
-
-/* Keeps it with an entry, for as long as that is not cut. */
+/* Keeps it with an entry. */
 void lim_entry_set_extent(struct lim_sorter *sorter, uint16_t entry, struct lim_reach reach);
 
 /* The corner of a record, in units of the scene. */

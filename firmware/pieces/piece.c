@@ -166,7 +166,7 @@ static const struct lim_view *view_of(const struct lim_sorter *sorter, uint8_t *
     const bool is_newell = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target);
 
     *bits = is_newell ? 12 : 13;
-    return is_newell ? &sorter->pass->view : &sorter->movers->world;
+    return is_newell ? &sorter->pass->view : lim_movers_world(sorter->movers);
 }
 
 /* Along z, in the scale in which entries are compared. */
@@ -306,34 +306,14 @@ static struct lim_rect rect_of(const struct lim_sorter *sorter, const struct lim
     return both.x0 < both.x1 && both.y0 < both.y1 ? both : *whole;
 }
 
-/* How far the pieces reach in the static scene, for their way down the tree. false: one would have too many corners. */
-static bool find_extents(struct lim_sorter *sorter, uint16_t entry, uint16_t other,
-                         const struct lim_plane_unpacked *plane)
+/* Corners that are kept for what comes next, before the cuts are remembered. false: a piece would have too many. */
+static LIM_IF_CALLED bool split_corners(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
 {
-    struct lim_corners places[2];
-    const struct lim_corners *whole = lim_corners_of(sorter, entry, places), *part;
-
-    if (!whole || !(part = lim_corners_part(sorter, entry, whole, plane, false, places))) return false;
-    lim_entry_set_extent(sorter, other, lim_corners_reach(part));
-    if (!(part = lim_corners_part(sorter, entry, whole, plane, true, places))) return false;
-    lim_entry_set_extent(sorter, entry, lim_corners_reach(part));
-    return true;
-}
-
-/* The same, of corners that are kept for what comes next; before the cuts are remembered. */
-static LIM_IF_CALLED bool split_corners(struct lim_sorter *sorter, uint16_t entry, uint16_t other, uint16_t by)
-{
-    const struct lim_kept_corners *kept = sorter->movers->kept;
     struct lim_plane_unpacked plane;
 
-    if (LIM_OPTIMISE_SIZE && sorter->comparing) return true;
+    if (LIM_OPTIMISE_SIZE) return true;
     lim_plane_load(&plane, sorter, by);
-    if (LIM_OPTIMISE_SIZE) return find_extents(sorter, entry, other, &plane);
-    if (!lim_corners_split(sorter, entry, &plane, sorter->newell->cuts_used)) return false;
-    if (sorter->comparing) return true;
-    lim_entry_set_extent(sorter, entry, lim_corners_reach(&kept[0].corners));
-    lim_entry_set_extent(sorter, other, lim_corners_reach(&kept[1].corners));
-    return true;
+    return lim_corners_split(sorter, entry, &plane, sorter->newell->cuts_used);
 }
 
 /* What is known of an entry that is compared; of a piece's pixels, too. false: it has too many corners. */
@@ -381,10 +361,10 @@ uint16_t lim_piece_split(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
     sorter->list[other] = before;
     newell->polygons[other] = polygon;
     const bool moves = LIM_HAS_MOVERS && !LIM_IS_NEWELL(&sorter->pass->target);
-    const bool on_screen = !moves || sorter->comparing, has_corners = !moves || split_corners(sorter, entry, other, by);
+    const bool has_corners = !moves || split_corners(sorter, entry, by);
     remember(sorter, entry, (uint16_t)(by | LIM_CUT_FRONT));
     remember(sorter, other, by);
-    if (!has_corners || (on_screen && (!find_bounds(sorter, entry, true) || !find_bounds(sorter, other, true)))) {
+    if (!has_corners || !find_bounds(sorter, entry, true) || !find_bounds(sorter, other, true)) {
         newell->cuts_used = (uint16_t)(newell->cuts_used - 2);
         if (LIM_HAS_MOVERS && !LIM_OPTIMISE_SIZE) lim_mover_forget_pieces(sorter->movers);
         sorter->list[entry] = before;

@@ -246,37 +246,63 @@ static bool set_crossing(struct crossing *crossing, const struct trace *trace, u
     return true;
 }
 
-/* Cuts all lines. What is as good as on the plane is in front. */
+/* Which of a line's pixels a cut leaves: all, or those on one side of its trace. What is as good as on the plane is in
+ * front. */
+enum trace_side { WHOLE, LOW, HIGH };
+
+static enum trace_side kept_side(const struct crossing *crossing, bool front)
+{
+    return front == crossing->front_is_low ? LOW : HIGH;
+}
+
+static inline struct lim_point narrowed(struct lim_point line, int32_t x, enum trace_side side)
+{
+    if (side == LOW && x < line.y) line.y = (lim_sub)(x > line.x ? x : line.x);
+    if (side == HIGH && x > line.x) line.x = (lim_sub)(x < line.y ? x : line.y);
+    return line;
+}
+
+/* Cuts all lines. */
 static void narrow_all(struct lim_point *last, const struct crossing *crossing, int16_t top, int16_t bottom, bool front)
 {
-    const bool low = front == crossing->front_is_low;
+    const enum trace_side side = kept_side(crossing, front);
     int32_t x_q20 = crossing->x_q20 + crossing->slope_q20 * top;
-    struct lim_point *line = &last[bottom - 1 - top];
 
-    for (int16_t y = top; y < bottom; y++, line--) {
-        const int32_t x = x_q20 >> 20;
-        if (low) {
-            if (x < line->y) line->y = x > line->x ? (lim_sub)x : line->x;
-        } else {
-            if (x > line->x) line->x = x < line->y ? (lim_sub)x : line->y;
-        }
+    for (struct lim_point *line = &last[bottom - top]; line > last;) {
+        line--;
+        *line = narrowed(*line, x_q20 >> 20, side);
         x_q20 = (int32_t)((uint32_t)x_q20 + (uint32_t)crossing->slope_q20);
     }
 }
 
-/* The part of the screen that is drawn: no line leaves it. */
-void lim_trace_lines(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
-                     int16_t top, int16_t bottom)
+/* Lines top <= y < bottom of the whole, within the part of the screen that is drawn, that of bottom - 1 first; and what
+ * a cut leaves of them. */
+static LIM_HOT_INLINE void trace_lines(struct lim_point *last, const struct lim_screen_polygon *whole,
+                                       const struct lim_rect *open, int16_t top, int16_t bottom,
+                                       const struct crossing *crossing, enum trace_side side)
 {
+    const int32_t x0 = open->x0, x1 = open->x1;
+    const int32_t slope_q20 = side == WHOLE ? 0 : crossing->slope_q20;
+    int32_t x_q20 = side == WHOLE ? 0 : crossing->x_q20 + slope_q20 * top;
+    struct lim_point *line = &last[bottom - top];
     struct lim_edge_pair pair;
-    int16_t y = top, turn = lim_edge_start(&pair, whole->at, whole->n, whole->shape.first, top);
+    int16_t turn = lim_edge_start(&pair, whole->at, whole->n, whole->shape.first, top);
 
-    for (struct lim_point *line = &last[bottom - 1 - top];; line--) {
-        const int16_t left = lim_edge_next_x(&pair.left), right = lim_edge_next_x(&pair.right);
-        line->x = left > (int16_t)open->x0 ? left : (int16_t)open->x0;
-        line->y = right < (int16_t)open->x1 ? right : (int16_t)open->x1;
-        if (++y == bottom) return;
-        if (y == turn) turn = lim_edge_turn(&pair, whole->at, whole->n, y);
+    for (;;) {
+        struct lim_point *const end = &last[bottom - (turn < bottom ? turn : bottom)];
+        struct lim_edge left, right;
+        lim_edge_copy(&left, &pair.left);
+        lim_edge_copy(&right, &pair.right);
+        while (line > end) {
+            const int32_t from = lim_edge_next_x(&left), to = lim_edge_next_x(&right);
+            const struct lim_point all = {(lim_sub)(from > x0 ? from : x0), (lim_sub)(to < x1 ? to : x1)};
+            *--line = narrowed(all, x_q20 >> 20, side);
+            x_q20 = (int32_t)((uint32_t)x_q20 + (uint32_t)slope_q20);
+        }
+        if (line == last) return;
+        lim_edge_follow(&pair.left, &left);
+        lim_edge_follow(&pair.right, &right);
+        turn = lim_edge_turn(&pair, whole->at, whole->n, turn);
     }
 }
 
@@ -297,50 +323,162 @@ static bool is_needless(const struct lim_sorter *sorter, uint16_t entry, const s
     return !(cut->by & LIM_CUT_FRONT) == sorter->newell->polygons[by].eye_in_front;
 }
 
-bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole)
+/* The next of a list of cuts, from `cut` on, that tells the piece from its whole. */
+static uint16_t next_needed(const struct lim_sorter *sorter, uint16_t entry, uint16_t cut, bool hides)
 {
     const struct lim_newell *newell = sorter->newell;
-    uint16_t cut = newell->polygons[entry].cuts;
 
-    if (!hides_all(whole)) return cut != LIM_NONE;
-    while (cut != LIM_NONE && is_needless(sorter, entry, &newell->cuts[cut]))
+    while (hides && cut != LIM_NONE && is_needless(sorter, entry, &newell->cuts[cut]))
         cut = newell->cuts[cut].next;
-    return cut != LIM_NONE;
+    return cut;
+}
+
+bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole)
+{
+    return next_needed(sorter, entry, sorter->newell->polygons[entry].cuts, hides_all(whole)) != LIM_NONE;
+}
+
+bool lim_trace_is_needed_of_opaque(const struct lim_sorter *sorter, uint16_t entry)
+{
+    return next_needed(sorter, entry, sorter->newell->polygons[entry].cuts, true) != LIM_NONE;
+}
+
+static void trace_of(struct trace *trace, const struct lim_sorter *sorter, uint16_t entry, uint16_t cut)
+{
+    struct lim_plane_unpacked plane;
+
+    lim_plane_load(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX);
+    set_trace(trace, sorter, entry, &plane);
+}
+
+/* Rows that are searched, not stepped. Most of them the trace does not cross: both ends of the screen tell. */
+static void search_all(struct lim_point *last, const struct trace *trace, int16_t top, int16_t bottom, bool front,
+                       uint16_t w_px)
+{
+    const bool is_slanted = LIM_HAS_ANTIALIAS && trace->shift;
+    const int64_t across = trace->step * (w_px - 1);
+    int64_t value = trace->first + trace->down * top;
+
+    for (struct lim_point *line = &last[bottom - top]; line > last; value += trace->down) {
+        line--;
+        const bool is_front = is_in_front(value), is_one_side = is_front == is_in_front(value + across);
+        if (is_slanted || !is_one_side) {
+            if (line->x < line->y) narrow(line, trace, (int16_t)(bottom - 1 - (line - last)), front);
+        } else if (is_front != front) {
+            line->y = line->x < line->y ? line->x : line->y;
+        }
+    }
+}
+
+/* A screen coordinate of a corner. */
+static int32_t corner_q4(int32_t at)
+{
+    return (at >> (LIM_SUB_BITS > 4 ? LIM_SUB_BITS - 4 : 0)) * (1 << (LIM_SUB_BITS < 4 ? 4 - LIM_SUB_BITS : 0)) +
+           LIM_ORIGIN_PX * 16;
+}
+
+/* 16 times the trace's value at a corner, as far as that is certain: negative, where a cut leaves nothing of it. Two
+ * pixels each way are more than all that is rounded. Sums stay below 2^59. */
+static int64_t left_at(const struct lim_point *at, const struct trace *trace, bool front)
+{
+    const int64_t value = trace->first * 16 + trace->step * corner_q4(at->x) + trace->down * corner_q4(at->y);
+    const int64_t step = trace->step < 0 ? -trace->step : trace->step;
+    const int64_t down = trace->down < 0 ? -trace->down : trace->down;
+
+    return (front ? value : -value) + 32 * (step + down);
+}
+
+/* Leaves of the lines top <= y < bottom those on which a cut may leave anything of the whole. */
+static void bound_lines(const struct lim_screen_polygon *whole, const struct trace *trace, bool front, int16_t *top,
+                        int16_t *bottom)
+{
+    const struct lim_point *before = &whole->at[whole->n - 1];
+    int64_t value_before = left_at(before, trace, front);
+    int32_t low = INT32_MAX, high = INT32_MIN;
+
+    for (uint_fast8_t k = 0; k < whole->n; k++) {
+        const struct lim_point *here = &whole->at[k];
+        const int64_t value = left_at(here, trace, front);
+        const bool crosses = (value < 0) != (value_before < 0);
+        const int32_t y =
+            crosses ? lerp_q31(before->y, here->y, lim_plane_zero_q31(value_before, value)) : (int32_t)here->y;
+        if (crosses || value >= 0) {
+            if (y < low) low = y;
+            if (y > high) high = y;
+        }
+        if (value >= 0 && here->y < low) low = here->y;
+        if (value >= 0 && here->y > high) high = here->y;
+        before = here;
+        value_before = value;
+    }
+    const int32_t from = (low >> LIM_SUB_BITS) + LIM_ORIGIN_PX - 1, to = (high >> LIM_SUB_BITS) + LIM_ORIGIN_PX + 3;
+    if (low > high) *bottom = *top;
+    if (low <= high && from > *top) *top = (int16_t)(from < *bottom ? from : *bottom);
+    if (low <= high && to < *bottom) *bottom = (int16_t)(to > *top ? to : *top);
+}
+
+/* By the cuts from `cut` on. */
+static void cut_rows(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
+                     uint16_t cut, struct lim_point *last, int16_t top, int16_t bottom)
+{
+    const struct lim_newell *newell = sorter->newell;
+    const bool hides = hides_all(whole);
+
+    while ((cut = next_needed(sorter, entry, cut, hides)) != LIM_NONE) {
+        const bool front = newell->cuts[cut].by & LIM_CUT_FRONT;
+        struct trace trace;
+        struct crossing crossing;
+        trace_of(&trace, sorter, entry, cut);
+        if (set_crossing(&crossing, &trace, sorter->pass->target.h_px))
+            narrow_all(last, &crossing, top, bottom, front);
+        else
+            search_all(last, &trace, top, bottom, front, sorter->pass->target.w_px);
+        cut = newell->cuts[cut].next;
+    }
 }
 
 void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
                    struct lim_point *last, int16_t top, int16_t bottom)
 {
-    const struct lim_newell *newell = sorter->newell;
-    const bool hides = hides_all(whole);
+    cut_rows(sorter, entry, whole, sorter->newell->polygons[entry].cuts, last, top, bottom);
+}
 
-    for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
-        struct lim_plane_unpacked plane;
-        struct trace trace;
-        struct crossing crossing;
-        if (hides && is_needless(sorter, entry, &newell->cuts[cut])) continue;
-        lim_plane_load(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX);
-        set_trace(&trace, sorter, entry, &plane);
-        const bool front = newell->cuts[cut].by & LIM_CUT_FRONT;
-        if (set_crossing(&crossing, &trace, sorter->pass->target.h_px)) {
-            narrow_all(last, &crossing, top, bottom, front);
-            continue;
-        }
-        for (int16_t y = top; y < bottom; y++) {
-            struct lim_point *line = &last[bottom - 1 - y];
-            if (line->x < line->y) narrow(line, &trace, y, front);
-        }
+void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
+                     const struct lim_rect *open, struct lim_point *last, int16_t *top, int16_t *bottom)
+{
+    const struct lim_target *target = &sorter->pass->target;
+    const struct lim_newell *newell = sorter->newell;
+    const uint16_t cut = next_needed(sorter, entry, newell->polygons[entry].cuts, hides_all(whole));
+    struct trace trace;
+    struct crossing crossing;
+
+    if (cut == LIM_NONE) {
+        trace_lines(last, whole, open, *top, *bottom, NULL, WHOLE);
+        return;
     }
+    trace_of(&trace, sorter, entry, cut);
+    const bool front = newell->cuts[cut].by & LIM_CUT_FRONT;
+    if (!LIM_OPTIMISE_SIZE) bound_lines(whole, &trace, front, top, bottom);
+    if (*top >= *bottom) return;
+    if (!set_crossing(&crossing, &trace, target->h_px)) {
+        trace_lines(last, whole, open, *top, *bottom, NULL, WHOLE);
+        search_all(last, &trace, *top, *bottom, front, target->w_px);
+    } else if (kept_side(&crossing, front) == LOW) {
+        trace_lines(last, whole, open, *top, *bottom, &crossing, LOW);
+    } else {
+        trace_lines(last, whole, open, *top, *bottom, &crossing, HIGH);
+    }
+    cut_rows(sorter, entry, whole, newell->cuts[cut].next, last, *top, *bottom);
 }
 
 struct lim_point lim_piece_line(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
                                 int16_t y)
 {
     const struct lim_rect screen = {0, 0, sorter->pass->target.w_px, sorter->pass->target.h_px};
-    struct lim_point line;
+    struct lim_point line = {0, 0};
+    int16_t top = y, bottom = (int16_t)(y + 1);
 
-    lim_trace_lines(&line, whole, &screen, y, (int16_t)(y + 1));
-    lim_trace_cut(sorter, entry, whole, &line, y, (int16_t)(y + 1));
+    lim_trace_lines(sorter, entry, whole, &screen, &line, &top, &bottom);
     return line;
 }
 

@@ -8,19 +8,22 @@
 
 #include "orders.h"
 
-/* Lines top <= y < bottom, one at least, of a projected polygon that is not non-monotone and has them, as far as they
- * are within `open`: that of `bottom` - 1 first. */
-void lim_trace_lines(struct lim_point *last, const struct lim_screen_polygon *whole, const struct lim_rect *open,
-                     int16_t top, int16_t bottom);
-
-/* Whether a piece has to be told from its whole: not if all other parts are drawn nearer, and hide theirs. */
+/* Whether a piece has to be told from its whole: not if all other parts are drawn nearer, and hide theirs. The second:
+ * if it is opaque. */
 bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole);
+bool lim_trace_is_needed_of_opaque(const struct lim_sorter *sorter, uint16_t entry);
 
-/* Leaves of lines, or of rows, what is the piece's, or is hidden by other parts. */
+/* Lines top <= y < bottom, one at least, of a projected polygon that is not non-monotone and has them: what of them is
+ * within `open`, and the piece's, or hidden by other parts; but for those above and below that have nothing of it. That
+ * of `bottom` - 1 is first. */
+void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
+                     const struct lim_rect *open, struct lim_point *last, int16_t *top, int16_t *bottom);
+
+/* Leaves of rows of samples what is. */
 void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
                    struct lim_point *last, int16_t top, int16_t bottom);
 
-/* Both for one line of the screen. */
+/* The same of one line of the screen. */
 struct lim_point lim_piece_line(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
                                 int16_t y);
 

@@ -69,7 +69,7 @@ static bool is_before_leaf(struct lim_sorter *sorter, uint16_t mover, const LIM_
 
     for (uint_fast8_t i = 0; i < 3; i++) {
         const struct span_q12 leaf = leaf_span(box, i), own = mover_span(movers, mover, i);
-        const int32_t eye_q8 = movers->eye_q8[i];
+        const int32_t eye_q8 = movers->camera.eye_q8[i];
         if (own.low >= leaf.high) return eye_q8 >= leaf.high >> 4;
         if (own.high <= leaf.low) return eye_q8 <= leaf.low >> 4;
     }

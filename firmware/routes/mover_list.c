@@ -8,6 +8,7 @@
 #include "movers/deform.h"
 #include "pieces/entry.h"
 #include "pieces/mesh_leaf.h"
+#include "routes/mover_part.h"
 #include "routes/route.h"
 #include "view/cull.h"
 
@@ -33,14 +34,14 @@ uint16_t lim_entry_new(struct lim_sorter *sorter, lim_index record, uint16_t own
     return (uint16_t)(sorter->used - 1);
 }
 
-/* Whether the box around the ball, as far as the grid reaches, is in view. */
+/* Whether the box around it, as far as the grid reaches, is in view. */
 static bool is_in_view(const struct lim_mover *mover, const struct lim_cull *open)
 {
     struct lim_box box;
 
     if (!LIM_HAS_CULL) return true;
     for (uint_fast8_t i = 0; i < 3; i++) {
-        const int32_t centre = mover->centre_q12[i] >> 12, half = (mover->radius_q12 >> 12) + 1;
+        const int32_t centre = mover->centre_q12[i] >> 12, half = (mover->half_q12[i] >> 12) + 2;
         if (centre < -32768 || centre > 32767 || half > 32768) return true;
         box.centre[i] = (int16_t)centre;
         box.half[i] = (uint16_t)half;
@@ -72,20 +73,26 @@ uint16_t lim_movers_list(struct lim_sorter *sorter, const struct lim_cull *open)
 
 /* Polygons ----------------------------------------------------------------------------------- */
 
-static LIM_IF_CALLED bool add_entry(struct lim_sorter *sorter, struct lim_queue *queue, lim_index record,
-                                    uint16_t mover, lim_index node, bool eye_in_front)
+/* What of a record that faces the eye belongs to a part; NULL: all does. false: no room. */
+static bool add_share(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_part *part, lim_index record,
+                      uint16_t mover, lim_index node, bool eye_in_front)
 {
     const uint16_t entry = lim_entry_new(sorter, record, mover, node);
 
     if (entry == LIM_NONE) return false;
     sorter->newell->polygons[entry].eye_in_front = eye_in_front;
-    lim_queue_add(queue, entry);
+    if (part && part->cuts != LIM_NONE && lim_part_take(part, sorter, entry) == LIM_PART_NOTHING)
+        sorter->used--;
+    else
+        lim_queue_add(queue, entry);
+    lim_movers_note_entries(sorter);
     return true;
 }
 
 /* A mesh leaf: its planes are of corners, which face the eye. */
 static LIM_IF_CALLED bool add_mesh_leaf(struct lim_sorter *sorter, struct lim_queue *queue,
-                                        const struct lim_route *route, uint16_t mover, lim_index run)
+                                        const struct lim_route *route, const struct lim_part *part, uint16_t mover,
+                                        lim_index run)
 {
     const struct lim_mesh_leaf_seen seen = {route->scene, lim_mover_view(sorter->movers, mover), false};
     struct lim_mesh_leaf *const leaf = sorter->movers->leaf;
@@ -93,23 +100,24 @@ static LIM_IF_CALLED bool add_mesh_leaf(struct lim_sorter *sorter, struct lim_qu
 
     lim_mesh_leaf_sort(leaf, &seen, &route->scene->polygons[run]);
     while ((record = lim_mesh_leaf_next(leaf)) != NULL)
-        if (!add_entry(sorter, queue, (lim_index)(record - route->scene->polygons), mover, route->node, true))
+        if (!add_share(sorter, queue, part, (lim_index)(record - route->scene->polygons), mover, route->node, true))
             return false;
     return true;
 }
 
 /* false: no room. */
-static bool add_run(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_route *route, uint16_t mover,
-                    lim_index at)
+static bool add_run(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_route *route,
+                    const struct lim_part *part, uint16_t mover, lim_index at)
 {
     if (LIM_HAS_MESH_LEAVES && lim_is_mesh_leaf(&route->scene->polygons[at]))
-        return add_mesh_leaf(sorter, queue, route, mover, at);
+        return add_mesh_leaf(sorter, queue, route, part, mover, at);
     for (;;) {
         const LIM_FLASH lim_index *record = &route->scene->polygons[at];
         const lim_index head = record[0];
         const bool eye_in_front =
             LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE ? !(head & LIM_POLYGON_BACK) : route->side > 0;
-        if (lim_record_is_seen(route->eye, record) && !add_entry(sorter, queue, at, mover, route->node, eye_in_front))
+        if (lim_record_is_seen(route->eye, record) &&
+            !add_share(sorter, queue, part, at, mover, route->node, eye_in_front))
             return false;
         if (head & LIM_POLYGON_LAST) return true;
         at = (lim_index)(at + lim_record_words(head));
@@ -117,28 +125,30 @@ static bool add_run(struct lim_sorter *sorter, struct lim_queue *queue, const st
 }
 
 /* Every record, wherever in the tree it is: it knows its own plane. */
-static LIM_IF_CALLED bool add_deformed(struct lim_sorter *sorter, struct lim_queue *queue, uint16_t mover)
+static LIM_IF_CALLED bool add_deformed(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_part *part,
+                                       uint16_t mover)
 {
     const struct lim_scene *object = sorter->movers->instances[mover].object;
 
     for (lim_index at = 0; at < object->polygon_words;) {
         const LIM_FLASH lim_index *record = &object->polygons[at];
         if (lim_deform_is_seen(&sorter->movers->movers[mover].eye, record) &&
-            !add_entry(sorter, queue, at, mover, 0, true))
+            !add_share(sorter, queue, part, at, mover, 0, true))
             return false;
         at = (lim_index)(at + lim_record_words(record[0]));
     }
     return true;
 }
 
-static bool add_by_tree(struct lim_sorter *sorter, struct lim_queue *queue, uint16_t mover)
+static bool add_by_tree(struct lim_sorter *sorter, struct lim_queue *queue, const struct lim_part *part, uint16_t mover)
 {
     const struct lim_rect screen = {0, 0, sorter->pass->target.w_px, sorter->pass->target.h_px};
-    struct lim_route route = lim_route_object(sorter, mover, &screen, false);
+    struct lim_route route;
     lim_index run;
 
+    lim_route_object(&route, sorter, mover, &screen, false);
     while ((run = lim_route_next_alone(&route)) != LIM_NO_INDEX)
-        if (!add_run(sorter, queue, &route, mover, run)) return false;
+        if (!add_run(sorter, queue, &route, part, mover, run)) return false;
     return true;
 }
 
@@ -148,10 +158,12 @@ bool lim_mover_burst(struct lim_sorter *sorter, uint16_t entry, uint16_t *list)
     const uint16_t mover = lim_entry_owner(sorter, entry);
     const bool deforms = lim_deforms(&sorter->movers->instances[mover]);
     uint16_t head;
+    struct lim_part part;
     struct lim_queue queue = lim_queue_begin(sorter, &head);
 
-    const bool has_room =
-        LIM_HAS_DEFORM && deforms ? add_deformed(sorter, &queue, mover) : add_by_tree(sorter, &queue, mover);
+    lim_part_begin(&part, sorter, entry);
+    const bool has_room = LIM_HAS_DEFORM && deforms ? add_deformed(sorter, &queue, &part, mover)
+                                                    : add_by_tree(sorter, &queue, &part, mover);
 
     if (!has_room) {
         sorter->used = used;
@@ -179,7 +191,7 @@ bool lim_movers_join(struct lim_sorter *sorter, lim_index run, uint16_t list)
     struct lim_queue queue = lim_queue_begin(sorter, &head);
 
     if (has_centres(sorter, list)) return false;
-    if (!add_run(sorter, &queue, &leaf, LIM_NONE, run)) {
+    if (!add_run(sorter, &queue, &leaf, NULL, LIM_NONE, run)) {
         sorter->used = used;
         return false;
     }

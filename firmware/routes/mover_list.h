@@ -33,14 +33,14 @@ uint16_t lim_entry_new(struct lim_sorter *sorter, lim_index record, uint16_t own
 /* The list of all movers that `open` may show, from scratch: pieces of an earlier walk are gone. */
 uint16_t lim_movers_list(struct lim_sorter *sorter, const struct lim_cull *open);
 
-/* Whether an entry is a whole instance. */
+/* Whether an entry is an instance, or a part of one. */
 static inline bool lim_mover_is_whole(const struct lim_sorter *sorter, uint16_t entry)
 {
     return sorter->list[entry].record == LIM_NO_INDEX;
 }
 
-/* The polygons of a whole instance that face the eye, nearest first, as a list that ends in `rest`. LIM_NONE: there is
- * no room for them. */
+/* The polygons of an instance, or of a part of one, that face the eye, nearest first, take its place in a list. false:
+ * there is no room for them. */
 bool lim_mover_burst(struct lim_sorter *sorter, uint16_t entry, uint16_t *list);
 
 /* Counts the entries in use, or the cuts, whichever are more: there is room for as many. */

@@ -16,6 +16,8 @@
 #include "pieces/sorter.h"
 #include "pieces/trace.h"
 #include "routes/mover_list.h"
+#include "routes/mover_merge.h"
+#include "routes/mover_part.h"
 #include "routes/route.h"
 #include "screen/project.h"
 
@@ -185,25 +187,56 @@ static bool has_still(const struct lim_sorter *sorter, uint16_t list)
     return false;
 }
 
-static uint16_t order_group(struct lim_sorter *sorter, uint16_t group)
+/* Takes the first of several lists, which ends with what is marked. */
+static uint16_t take_marked(struct lim_sorter *sorter, uint16_t *lists)
 {
-    const bool is_one = sorter->list[last_of(sorter, group)].next == LIM_NONE;
+    const uint16_t first = *lists;
+    uint16_t last = first;
 
-    return is_one && !deforms(sorter, group) ? group : sort(sorter, group);
+    while (!sorter->newell->polygons[last].last && sorter->list[last].next != LIM_NONE)
+        last = sorter->list[last].next;
+    sorter->newell->polygons[last].last = false;
+    *lists = sorter->list[last].next;
+    sorter->list[last].next = LIM_NONE;
+    return first;
+}
+
+/* The link at the end of what another one leads to, of which the last entry is marked or not. */
+static uint16_t *end_of(struct lim_sorter *sorter, uint16_t *link, bool marked)
+{
+    while (*link != LIM_NONE) {
+        const uint16_t entry = *link;
+        link = &sorter->list[entry].next;
+        if (marked && *link == LIM_NONE) sorter->newell->polygons[entry].last = true;
+    }
+    return link;
+}
+
+/* Puts in their place those of the objects at *link that may come first. Returns the link behind them; or `link`, if
+ * they are to be ordered once more. */
+static uint16_t *order_next(struct lim_sorter *sorter, uint16_t *link)
+{
+    uint16_t rest = *link, list = take_marked(sorter, &rest);
+
+    find_group(sorter, list);
+    *link = take_group(sorter, &list);
+    const bool is_one = sorter->list[*link].next == LIM_NONE;
+    const bool is_merged = !is_one && lim_movers_merge(sorter, link);
+    if (!is_merged && (!is_one || deforms(sorter, *link))) *link = sort(sorter, *link);
+    uint16_t *const behind = end_of(sorter, link, false);
+    *behind = list;
+    *end_of(sorter, behind, true) = rest;
+    return is_merged ? link : behind;
 }
 
 uint16_t lim_movers_order(struct lim_sorter *sorter, uint16_t list, bool back_to_front)
 {
-    uint16_t ordered = LIM_NONE, *end = &ordered;
+    uint16_t *link = &list;
 
     if (has_still(sorter, list)) return order_to(sorter, sort(sorter, list), back_to_front);
-    while (list != LIM_NONE) {
-        find_group(sorter, list);
-        *end = order_group(sorter, take_group(sorter, &list));
-        while (*end != LIM_NONE)
-            end = &sorter->list[*end].next;
-    }
-    return order_to(sorter, ordered, back_to_front);
+    while (*link != LIM_NONE)
+        link = lim_mover_is_whole(sorter, *link) ? order_next(sorter, link) : &sorter->list[*link].next;
+    return order_to(sorter, list, back_to_front);
 }
 
 /* Drawing ------------------------------------------------------------------------------------ */
@@ -274,10 +307,62 @@ static const LIM_FLASH lim_index *last_record(const LIM_FLASH lim_index *record)
     return record;
 }
 
-static LIM_IF_CALLED int draw_mesh_leaf(struct lim_sorter *sorter, const struct lim_route *route, uint16_t mover,
-                                        const LIM_FLASH lim_index *run, const struct lim_rect *open,
-                                        lim_mover_draw *draw, void *ctx)
+/* A polygon, or a piece of one: `entry`. */
+static int draw_cut(struct lim_sorter *sorter, uint16_t entry, const struct face *face,
+                    const struct lim_mover_sink *sink)
 {
+    struct lim_screen_polygon polygon;
+
+    if (!mover_order_project(sorter, &polygon, face, sink->open)) return 0;
+    const bool is_cut = entry != LIM_NONE && lim_trace_is_needed(sorter, entry, &polygon);
+    return sink->draw(sink->ctx, is_cut ? entry : (uint16_t)LIM_NONE, &polygon, sink->open);
+}
+
+/* A polygon that nothing has cut: LIM_NONE; or a piece that is painted as its whole, if it is opaque. */
+static int draw_uncut(struct lim_sorter *sorter, uint16_t entry, const struct face *face,
+                      const struct lim_mover_sink *sink)
+{
+    if (sink->take && !(LIM_HAS_LIGHT && sorter->movers->light->on)) {
+        const int err = sink->take(sink->ctx, lim_mover_view(sorter->movers, face->mover),
+                                   sorter->movers->instances[face->mover].object, face->record);
+        if (err != LIM_MOVER_DRAW) return err;
+    }
+    return draw_cut(sorter, entry, face, sink);
+}
+
+/* What of a polygon the cuts of an entry leave. */
+static int draw_piece(struct lim_sorter *sorter, uint16_t entry, const struct face *face,
+                      const struct lim_mover_sink *sink)
+{
+    const bool is_whole = !lim_entry_is_cut(sorter, entry);
+
+    if (!is_whole && lim_trace_is_needed_of_opaque(sorter, entry)) {
+        if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->movers.pieces++;
+        return draw_cut(sorter, entry, face, sink);
+    }
+    return draw_uncut(sorter, is_whole ? (uint16_t)LIM_NONE : entry, face, sink);
+}
+
+/* What of a polygon belongs to a part. The part's entry stands for it meanwhile, for the polygon's own to be cut. */
+static int draw_share(struct lim_sorter *sorter, uint16_t entry, const struct lim_part *part, const struct face *face,
+                      const struct lim_mover_sink *sink)
+{
+    const uint16_t cuts_used = sorter->newell->cuts_used;
+    int err = 0;
+
+    sorter->list[entry].record = (lim_index)(face->record - sorter->movers->instances[face->mover].object->polygons);
+    const enum lim_part_share share = lim_part_take(part, sorter, entry);
+    lim_movers_note_entries(sorter);
+    if (share != LIM_PART_NOTHING) err = draw_piece(sorter, entry, face, sink);
+    sorter->newell->cuts_used = cuts_used;
+    return err;
+}
+
+static LIM_IF_CALLED int draw_mesh_leaf(struct lim_sorter *sorter, const struct lim_route *route, uint16_t entry,
+                                        const struct lim_part *part, const LIM_FLASH lim_index *run,
+                                        const struct lim_mover_sink *sink)
+{
+    const uint16_t mover = lim_entry_owner(sorter, entry);
     const struct lim_mesh_leaf_seen seen = {route->scene, lim_mover_view(sorter->movers, mover), route->back_to_front};
     struct lim_mesh_leaf *const leaf = sorter->movers->leaf;
     struct face face = {.mover = mover, .eye_in_front = true};
@@ -286,23 +371,24 @@ static LIM_IF_CALLED int draw_mesh_leaf(struct lim_sorter *sorter, const struct 
 
     lim_mesh_leaf_sort(leaf, &seen, run);
     while (!err && (face.record = lim_mesh_leaf_next(leaf)) != NULL) {
-        if (!lim_mesh_leaf_project(&polygon, leaf, face.record, open, lim_stats_of(sorter->pass))) continue;
-        light_face(sorter, &polygon, &face);
-        err = draw(ctx, LIM_NONE, &polygon, open);
+        if (part->cuts != LIM_NONE) {
+            err = draw_share(sorter, entry, part, &face, sink);
+        } else if (lim_mesh_leaf_project(&polygon, leaf, face.record, sink->open, lim_stats_of(sorter->pass))) {
+            light_face(sorter, &polygon, &face);
+            err = sink->draw(sink->ctx, LIM_NONE, &polygon, sink->open);
+        }
     }
     return err;
 }
 
-static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, uint16_t mover, lim_index run,
-                    const struct lim_rect *open, lim_mover_draw *draw, void *ctx)
+static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, uint16_t entry,
+                    const struct lim_part *part, lim_index run, const struct lim_mover_sink *sink)
 {
     const LIM_FLASH lim_index *const first = &route->scene->polygons[run];
     const LIM_FLASH lim_index *record = route->back_to_front ? last_record(first) : first;
-    struct lim_screen_polygon polygon;
-    struct face face = {.plane = &route->scene->nodes[route->node].split, .mover = mover};
+    struct face face = {.plane = &route->scene->nodes[route->node].split, .mover = lim_entry_owner(sorter, entry)};
 
-    if (LIM_HAS_MESH_LEAVES && lim_is_mesh_leaf(first))
-        return draw_mesh_leaf(sorter, route, mover, first, open, draw, ctx);
+    if (LIM_HAS_MESH_LEAVES && lim_is_mesh_leaf(first)) return draw_mesh_leaf(sorter, route, entry, part, first, sink);
     while (record) {
         face.record = record;
         face.eye_in_front = route->side > 0;
@@ -310,8 +396,9 @@ static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, ui
             face.plane = lim_record_plane(record);
             face.eye_in_front = !(record[0] & LIM_POLYGON_BACK);
         }
-        if (lim_record_is_seen(route->eye, record) && mover_order_project(sorter, &polygon, &face, open)) {
-            const int err = draw(ctx, LIM_NONE, &polygon, open);
+        if (lim_record_is_seen(route->eye, record)) {
+            const int err = part->cuts == LIM_NONE ? draw_uncut(sorter, LIM_NONE, &face, sink)
+                                                   : draw_share(sorter, entry, part, &face, sink);
             if (err) return err;
         }
         record = route->back_to_front ? record_before(first, record) : record_after(record);
@@ -319,52 +406,50 @@ static int draw_run(struct lim_sorter *sorter, const struct lim_route *route, ui
     return 0;
 }
 
-/* By the order of its own tree. */
-static int draw_whole(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open, bool back_to_front,
-                      lim_mover_draw *draw, void *ctx)
+/* By the order of its own tree: all of it, or a part. */
+static int draw_whole(struct lim_sorter *sorter, uint16_t entry, const struct lim_mover_sink *sink)
 {
-    struct lim_route route = lim_route_object(sorter, mover, open, back_to_front);
+    struct lim_route route;
+    struct lim_part part;
     lim_index run;
+    int err = 0;
 
-    while ((run = lim_route_next_alone(&route)) != LIM_NO_INDEX) {
-        const int err = draw_run(sorter, &route, mover, run, open, draw, ctx);
-        if (err) return err;
-    }
-    return 0;
+    lim_route_object(&route, sorter, lim_entry_owner(sorter, entry), sink->open, sink->back_to_front);
+    lim_part_begin(&part, sorter, entry);
+    while (!err && (run = lim_route_next_alone(&route)) != LIM_NO_INDEX)
+        err = draw_run(sorter, &route, entry, &part, run, sink);
+    sorter->list[entry].record = LIM_NO_INDEX;
+    sorter->newell->polygons[entry].cuts = part.cuts;
+    return err;
 }
 
 /* A polygon of a leaf that movers have come to. */
-static int draw_still(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw,
-                      void *ctx)
+static int draw_still(struct lim_sorter *sorter, uint16_t entry, const struct lim_mover_sink *sink)
 {
     struct lim_screen_polygon polygon;
 
-    if (!lim_project(&polygon, &sorter->pass->view, sorter->pass->scene, lim_entry_record(sorter, entry), open,
+    if (!lim_project(&polygon, &sorter->pass->view, sorter->pass->scene, lim_entry_record(sorter, entry), sink->open,
                      lim_stats_of(sorter->pass)))
         return 0;
-    return draw(ctx, lim_trace_is_needed(sorter, entry, &polygon) ? entry : (uint16_t)LIM_NONE, &polygon, open);
+    return sink->draw(sink->ctx, lim_trace_is_needed(sorter, entry, &polygon) ? entry : (uint16_t)LIM_NONE, &polygon,
+                      sink->open);
 }
 
-static int draw_entry(struct lim_sorter *sorter, uint16_t entry, const struct lim_rect *open, lim_mover_draw *draw,
-                      void *ctx)
+static int draw_entry(struct lim_sorter *sorter, uint16_t entry, const struct lim_mover_sink *sink)
 {
-    if (lim_entry_owner(sorter, entry) == LIM_NONE) return draw_still(sorter, entry, open, draw, ctx);
+    if (lim_entry_owner(sorter, entry) == LIM_NONE) return draw_still(sorter, entry, sink);
     const bool has_own = LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, entry);
     const struct face face = {lim_entry_record(sorter, entry), has_own ? NULL : lim_plane_of(sorter, entry),
                               lim_entry_owner(sorter, entry), sorter->newell->polygons[entry].eye_in_front};
-    struct lim_screen_polygon polygon;
 
-    if (!mover_order_project(sorter, &polygon, &face, open)) return 0;
-    return draw(ctx, lim_trace_is_needed(sorter, entry, &polygon) ? entry : (uint16_t)LIM_NONE, &polygon, open);
+    return draw_piece(sorter, entry, &face, sink);
 }
 
-int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_rect *open, bool back_to_front,
-                    lim_mover_draw *draw, void *ctx)
+int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_mover_sink *sink)
 {
     for (; list != LIM_NONE; list = sorter->list[list].next) {
-        const int err = lim_mover_is_whole(sorter, list)
-                            ? draw_whole(sorter, lim_entry_owner(sorter, list), open, back_to_front, draw, ctx)
-                            : draw_entry(sorter, list, open, draw, ctx);
+        const int err =
+            lim_mover_is_whole(sorter, list) ? draw_whole(sorter, list, sink) : draw_entry(sorter, list, sink);
         if (err) return err;
     }
     return 0;

@@ -9,11 +9,20 @@
 /* Puts a list that has come to empty space in order, nearest first or the other way round. Returns its head. */
 uint16_t lim_movers_order(struct lim_sorter *sorter, uint16_t list, bool back_to_front);
 
-/* Draws the polygons of an ordered list's entries one by one; `entry` is LIM_NONE for one that was never cut. Ends with
- * what `draw` returns, if that is not 0. */
-typedef int lim_mover_draw(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
-                           const struct lim_rect *open);
-int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_rect *open, bool back_to_front,
-                    lim_mover_draw *draw, void *ctx);
+/* Who draws. */
+struct lim_mover_sink {
+    /* A polygon, or the piece `entry` of one; LIM_NONE: it was never cut. */
+    int (*draw)(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon, const struct lim_rect *open);
+    /* An object's record before it is projected, in the colour that it has: LIM_MOVER_DRAW, to draw it then. Or NULL.
+     */
+    int (*take)(void *ctx, struct lim_view *view, const struct lim_scene *object, const LIM_FLASH lim_index *record);
+    void *ctx;
+    const struct lim_rect *open;
+    bool back_to_front;
+};
+#define LIM_MOVER_DRAW INT16_MIN
+
+/* Draws the polygons of an ordered list's entries one by one. Ends with what the sink returns, if that is not 0. */
+int lim_movers_draw(struct lim_sorter *sorter, uint16_t list, const struct lim_mover_sink *sink);
 
 #endif

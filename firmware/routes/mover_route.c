@@ -14,10 +14,18 @@
 
 #if LIM_HAS_MOVERS
 
+/* Whether a node's plane has something on both sides that may hide, or be hidden: what faces the eye lies in the plane,
+ * between what moves before it and what does behind. Else all of a list goes where something is. */
+static bool has_two_sides(const LIM_FLASH struct lim_node *node, int32_t side)
+{
+    if ((side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX) != LIM_NO_INDEX) return true;
+    return node->front != LIM_NO_INDEX && node->back != LIM_NO_INDEX;
+}
+
 static void route_enter(struct lim_route *route)
 {
     const LIM_FLASH struct lim_node *node = lim_route_node_to_enter(route);
-    uint16_t front, back;
+    uint16_t front = LIM_NONE, back = LIM_NONE;
 
     if (!node) return;
     if (lim_route_is_leaf(node)) {
@@ -25,7 +33,10 @@ static void route_enter(struct lim_route *route)
         return;
     }
     const int32_t side = lim_route_side(route, node);
-    lim_movers_divide(route, side, route->list, &front, &back);
+    if (has_two_sides(node, side))
+        lim_movers_divide(route, side, route->list, &front, &back);
+    else
+        *(node->front != LIM_NO_INDEX ? &front : &back) = route->list;
     lim_route_go_near(route, node, side, front, back);
 }
 
@@ -51,6 +62,7 @@ struct lim_route lim_route_static(struct lim_sorter *sorter, bool back_to_front)
 
     return (struct lim_route){.sorter = sorter,
                               .scene = pass->scene,
+                              .mover = LIM_NONE,
                               .eye = lim_eye_of(pass),
                               .cull = lim_cull_of(pass),
                               .shown = pass->walk->shown,

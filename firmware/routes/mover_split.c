@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * Lists of movers and the planes of the static tree. An entry is an instance as a whole, a polygon of one, or a piece
- * of such a polygon; and a plane that has cut something is an entry too, in no list, for the pieces to remember it.
- * Lists of one instance's polygons keep the order of its own tree, nearest first. */
+ * Lists of movers and the planes of the static tree. An entry is an instance as a whole, or a part of one
+ * (mover_part.h); and a plane that has cut something is an entry too, in no list, for the parts to remember it. */
 #include "routes/mover_split.h"
 
 #include "eye.h"
-#include "movers/deform.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "pieces/piece.h"
 #include "routes/mover_list.h"
+#include "routes/mover_part.h"
 #include "routes/route.h"
 #include "routes/shaft.h"
 
@@ -19,65 +18,14 @@
 /* Planes ------------------------------------------------------------------------------------- */
 
 struct divider {
-    struct lim_plane_unpacked plane;
+    struct lim_plane_unpacked plane; /* in the static scene */
+    struct lim_plane_unpacked own;   /* as the route's scene has it */
+    const LIM_FLASH struct lim_plane_ref *ref;
     lim_index node;
+    uint16_t mover; /* of which the node is, or LIM_NONE */
     uint16_t entry; /* the plane's own, once it has cut something */
     int32_t eye_side;
-    uint16_t owner; /* whose the next ones are, LIM_NONE: nobody's */
-    int32_t n_q14[3];
-    int32_t front_q14, back_q14; /* n . v beyond these is certainly in front, or behind */
 };
-
-/* Q14 and the object's units, more than all that is left out: the normal's fraction, and a vertex's; what lies within
- * the plane's slack; the rounding of a corner in its place. */
-#define DOUBT_Q14 (3 * INT32_C(32768) + 6 * INT32_C(16384))
-#define DOUBT_A_UNIT_Q14 (4 * INT32_C(16384))
-
-static int32_t saturate(int64_t x)
-{
-    return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (int32_t)x;
-}
-
-/* The plane as an object has it, of which most polygons lie on one side by far. With n < 2^(32 - spare), n_q14 is a
- * normal of a length below sqrt(3) 2^14, and products with a vertex add up to less than 3 * 2^29; offsets stay below
- * 2^62. */
-static void turn_to(const struct lim_sorter *sorter, struct divider *divider, uint16_t owner)
-{
-    const struct lim_instance *instance = &sorter->movers->instances[owner];
-    const int32_t *n = divider->plane.n;
-    const uint8_t spare = clz_u32(abs_s32(n[0]) | abs_s32(n[1]) | abs_s32(n[2]));
-    int64_t offset_q8 = divider->plane.d * 256;
-
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        int64_t sum = 0;
-        for (uint_fast8_t k = 0; k < 3; k++)
-            sum += (int64_t)instance->axes_q30[3 * i + k] * n[k];
-        divider->n_q14[i] = (int32_t)(sum >> (48 - spare));
-        offset_q8 -= (int64_t)n[i] * instance->at_q8[i];
-    }
-    offset_q8 *= INT32_C(1) << instance->finer_bits;
-    const int64_t offset_q14 = spare > 26 ? offset_q8 * (INT64_C(1) << (spare - 26)) : offset_q8 >> (26 - spare);
-    const int64_t doubt_q14 = DOUBT_Q14 + (DOUBT_A_UNIT_Q14 * (INT64_C(1) << instance->finer_bits));
-    divider->front_q14 = saturate(offset_q14 + doubt_q14);
-    divider->back_q14 = saturate(offset_q14 - doubt_q14);
-    divider->owner = owner;
-}
-
-/* 0: not certain. */
-static uint8_t certain_side(const struct lim_sorter *sorter, const struct divider *divider, uint16_t entry)
-{
-    const LIM_FLASH struct lim_vertex *vertices = lim_entry_scene(sorter, entry)->vertices;
-    const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
-    uint8_t sides = LIM_SIDE_BOTH;
-
-    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides; k++) {
-        const struct lim_vertex at = vertices[record[LIM_POLYGON_HEAD_WORDS + k]];
-        const int32_t value = divider->n_q14[0] * at.x + divider->n_q14[1] * at.y + divider->n_q14[2] * at.z;
-        if (value <= divider->front_q14) sides &= (uint8_t)~LIM_SIDE_FRONT;
-        if (value >= divider->back_q14) sides &= (uint8_t)~LIM_SIDE_BACK;
-    }
-    return sides;
-}
 
 /* Where the eye is, or the side that is walked first. */
 static uint8_t near_side(const struct divider *divider)
@@ -89,6 +37,9 @@ static uint8_t far_side(const struct divider *divider)
 {
     return divider->eye_side > 0 ? LIM_SIDE_BACK : LIM_SIDE_FRONT;
 }
+
+/* Vertices that are asked at most, each for itself. */
+enum { VERTICES_MAX = 96 };
 
 /* How far it reaches from its centre along a plane's normal. */
 static int64_t reach_to(const struct lim_mover *mover, const struct lim_plane_unpacked *plane)
@@ -107,11 +58,10 @@ static int64_t reach_to(const struct lim_mover *mover, const struct lim_plane_un
     return ball < box ? ball : box;
 }
 
-/* A whole instance against a plane: the ball around it, or the box, whichever reaches less. What is within the plane's
- * slack lies in it, so on the eye's side: beyond is what lies behind that, too. */
-static uint8_t split_sides_of_whole(const struct lim_sorter *sorter, uint16_t entry, const struct divider *divider)
+/* The ball around an instance, or the box, whichever reaches less. What is within the plane's slack lies in it, so on
+ * the eye's side: beyond is what lies behind that, too. */
+static uint8_t sides_of_ball(const struct lim_sorter *sorter, uint16_t owner, const struct divider *divider)
 {
-    const uint16_t owner = lim_entry_owner(sorter, entry);
     const struct lim_mover *mover = &sorter->movers->movers[owner];
     const int64_t value = lim_corner_value(&divider->plane, mover->centre_q12);
 
@@ -123,8 +73,8 @@ static uint8_t split_sides_of_whole(const struct lim_sorter *sorter, uint16_t en
     return near < -reach - slack_q12 ? far_side(divider) : LIM_SIDE_BOTH;
 }
 
-/* The same of an extent; 0: not certain. Sums of a plane that is not large stay below 2^30. */
-static uint8_t side_of_extent(const struct lim_extent *extent, const struct lim_plane_unpacked *plane)
+/* The same of a part's box, if not 0. Sums of a plane that is not large stay below 2^30. */
+static uint8_t sides_of_extent(const struct lim_extent *extent, const struct lim_plane_unpacked *plane)
 {
     int32_t low = 0, high = 0;
 
@@ -138,40 +88,64 @@ static uint8_t side_of_extent(const struct lim_extent *extent, const struct lim_
     return low > half_d ? LIM_SIDE_FRONT : high < half_d ? LIM_SIDE_BACK : 0;
 }
 
-/* The sides that an entry reaches to. */
-static uint8_t sides_of(const struct lim_sorter *sorter, struct divider *divider, uint16_t entry)
+/* Of all vertices, where there are few: 0, if they are not by far on one side. */
+static uint8_t sides_of_vertices(const struct lim_sorter *sorter, uint16_t owner, const struct divider *divider)
 {
-    const uint16_t owner = lim_entry_owner(sorter, entry);
+    const struct lim_instance *instance = &sorter->movers->instances[owner];
+    const struct lim_scene *object = instance->object;
+    struct lim_turned_plane turned;
+    struct lim_turned_range range = {INT32_MAX, INT32_MIN};
 
-    if (lim_mover_is_whole(sorter, entry)) return split_sides_of_whole(sorter, entry, divider);
-    const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
-    const uint8_t by_extent = polygon->has_extent ? side_of_extent(&polygon->extent, &divider->plane) : 0;
-    if (by_extent) return by_extent;
-    if (owner != LIM_NONE && !lim_entry_is_cut(sorter, entry)) {
-        if (owner != divider->owner) turn_to(sorter, divider, owner);
-        const uint8_t side = certain_side(sorter, divider, entry);
-        if (side) return side;
+    if (object->vertex_count > VERTICES_MAX) return 0;
+    lim_plane_turn(&turned, instance, &divider->plane);
+    for (lim_index k = 0; k < object->vertex_count; k++) {
+        const struct lim_vertex at = object->vertices[k];
+        lim_turned_add(&range, &turned, &at);
+        if (range.least_q14 <= turned.front_q14 && range.most_q14 >= turned.back_q14) return 0;
     }
-    return lim_piece_sides_of(sorter, entry, &divider->plane);
+    return lim_turned_sides(&range, &turned);
 }
 
-/* What cannot be divided goes where it reaches farther. */
+static bool is_one_plane(const struct lim_sorter *sorter, uint16_t by, const struct divider *divider)
+{
+    const LIM_FLASH struct lim_plane_ref *ref = lim_plane_of(sorter, by);
+
+    return ref->plane == divider->ref->plane && ref->offset == divider->ref->offset &&
+           lim_entry_owner(sorter, by) == divider->mover;
+}
+
+/* Of a part that the same plane has cut before; else 0. */
+static uint8_t side_cut_to(const struct lim_sorter *sorter, uint16_t entry, const struct divider *divider)
+{
+    const struct lim_newell *newell = sorter->newell;
+
+    for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
+        const uint16_t by = newell->cuts[cut].by;
+        if (is_one_plane(sorter, by & LIM_SORTED_MAX, divider))
+            return by & LIM_CUT_FRONT ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
+    }
+    return 0;
+}
+
+/* The sides that an entry reaches to. */
+static uint8_t sides_of(const struct lim_sorter *sorter, const struct divider *divider, uint16_t entry)
+{
+    const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
+    uint8_t sides = sides_of_ball(sorter, polygon->owner, divider);
+
+    if (sides != LIM_SIDE_BOTH) return sides;
+    if ((sides = side_cut_to(sorter, entry, divider)) != 0) return sides;
+    if (polygon->has_extent && (sides = sides_of_extent(&polygon->extent, &divider->plane)) != 0) return sides;
+    sides = sides_of_vertices(sorter, polygon->owner, divider);
+    return sides ? sides : LIM_SIDE_BOTH;
+}
+
+/* What cannot be divided goes where its centre is. */
 static uint8_t heavier_side(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
 {
-    struct lim_corners places[2];
-    int64_t front = 0, back = 0;
+    const struct lim_mover *mover = &sorter->movers->movers[lim_entry_owner(sorter, entry)];
 
-    if (lim_mover_is_whole(sorter, entry)) {
-        const struct lim_mover *mover = &sorter->movers->movers[lim_entry_owner(sorter, entry)];
-        return lim_corner_value(plane, mover->centre_q12) < 0 ? LIM_SIDE_BACK : LIM_SIDE_FRONT;
-    }
-    const struct lim_corners *corners = lim_corners_of(sorter, entry, places);
-    for (uint_fast8_t k = 0; corners && k < corners->n; k++) {
-        const int64_t value = lim_corner_value(plane, corners->at_q12[k]);
-        if (value > front) front = value;
-        if (-value > back) back = -value;
-    }
-    return back > front ? LIM_SIDE_BACK : LIM_SIDE_FRONT;
+    return lim_corner_value(plane, mover->centre_q12) < 0 ? LIM_SIDE_BACK : LIM_SIDE_FRONT;
 }
 
 static void set_sides(struct lim_sorter *sorter, uint16_t entry, uint8_t sides)
@@ -186,34 +160,50 @@ static uint8_t sides_at(const struct lim_sorter *sorter, uint16_t entry)
 
 /* Uncut ------------------------------------------------------------------------------------------------------------ */
 
-/* false: a piece has too many corners. */
-static bool reach_of(const struct lim_sorter *sorter, uint16_t entry, struct lim_reach *reach)
+static struct lim_reach reach_of(const struct lim_sorter *sorter, uint16_t entry)
 {
-    const struct lim_mover *mover = &sorter->movers->movers[lim_entry_owner(sorter, entry)];
-    struct lim_corners places[2];
+    const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
+    const struct lim_mover *mover = &sorter->movers->movers[polygon->owner];
+    struct lim_reach reach;
 
-    if (lim_mover_is_whole(sorter, entry)) {
-        for (uint_fast8_t i = 0; i < 3; i++) {
-            reach->low_q12[i] = mover->centre_q12[i] - mover->half_q12[i];
-            reach->high_q12[i] = mover->centre_q12[i] + mover->half_q12[i];
-        }
-        return true;
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        reach.low_q12[i] = polygon->has_extent ? polygon->extent.low[i] * (INT32_C(1) << 13)
+                                               : mover->centre_q12[i] - mover->half_q12[i];
+        reach.high_q12[i] = polygon->has_extent ? polygon->extent.high[i] * (INT32_C(1) << 13)
+                                                : mover->centre_q12[i] + mover->half_q12[i];
     }
-    const struct lim_corners *corners = lim_corners_of(sorter, entry, places);
-    if (corners) *reach = lim_corners_reach(corners);
-    return corners;
+    return reach;
 }
 
-/* Whether the shaft meets another entry; what it is not known of it does. */
+/* The same along the axes of another mover, in units of that: of the box that turns with the instance. */
+static struct lim_reach reach_beside(const struct lim_movers *movers, uint16_t mover, uint16_t beside)
+{
+    const struct lim_instance *instance = &movers->instances[mover], *axes = &movers->instances[beside];
+    struct lim_reach reach;
+    int32_t away_q12[3];
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        away_q12[i] = movers->movers[mover].centre_q12[i] - axes->at_q8[i] * 16;
+    for (uint_fast8_t j = 0; j < 3; j++) {
+        int64_t half_q42 = 0;
+        for (uint_fast8_t k = 0; k < 3; k++) {
+            const int32_t along_q30 = (int32_t)(lim_along_axis(axes, j, &instance->axes_q30[3 * k]) >> 30);
+            half_q42 += (int64_t)abs_s32(along_q30) * movers->movers[mover].own_half_q12[k];
+        }
+        const int32_t centre_q12 = (int32_t)(lim_along_axis(axes, j, away_q12) >> 30);
+        const int32_t half_q12 = (int32_t)(half_q42 >> 30) + 16; /* for what is rounded */
+        reach.low_q12[j] = (centre_q12 - half_q12) * (INT32_C(1) << axes->finer_bits);
+        reach.high_q12[j] = (centre_q12 + half_q12) * (INT32_C(1) << axes->finer_bits);
+    }
+    return reach;
+}
+
+/* Whether the shaft meets another entry. */
 static bool meets_entry(struct lim_sorter *sorter, const struct lim_shaft *shaft, uint16_t entry)
 {
     const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
-    struct lim_reach reach;
 
-    if (!polygon->has_extent) {
-        if (!reach_of(sorter, entry, &reach)) return true;
-        lim_entry_set_extent(sorter, entry, reach);
-    }
+    if (!polygon->has_extent) lim_entry_set_extent(sorter, entry, reach_of(sorter, entry));
     return lim_shaft_meets_extent(shaft, &polygon->extent);
 }
 
@@ -222,23 +212,17 @@ static bool has_order_with(const struct lim_sorter *sorter, uint16_t entry, uint
 {
     const uint16_t owner = lim_entry_owner(sorter, entry), others = lim_entry_owner(sorter, other);
 
-    return owner != others && lim_mover_precedes(sorter->movers, after ? others : owner, after ? owner : others);
+    return lim_mover_precedes(sorter->movers, after ? others : owner, after ? owner : others);
 }
 
-/* Whether anything else of the list that reaches to `side` is in the way. Of one object what comes later hides nothing
- * of what comes before. */
-static bool meets_list(struct lim_sorter *sorter, const struct lim_shaft *shaft, uint16_t list, uint16_t entry,
-                       uint8_t side)
+/* Whether anything else of the list that reaches to `side` is in the way. */
+static bool meets_list(struct lim_sorter *sorter, const struct lim_shaft *shaft, const struct divider *divider,
+                       uint16_t list, uint16_t entry, uint8_t side)
 {
-    const uint16_t owner = lim_entry_owner(sorter, entry);
-    const bool has_order = !lim_deforms(&sorter->movers->instances[owner]);
-    bool is_later = false;
-
     for (; list != LIM_NONE; list = sorter->list[list].next) {
-        if (list == entry) is_later = true;
         if (list == entry || !(sides_at(sorter, list) & side)) continue;
-        if (is_later != shaft->is_shadow && has_order && lim_entry_owner(sorter, list) == owner) continue;
-        if (meets_entry(sorter, shaft, list) && !has_order_with(sorter, entry, list, shaft->is_shadow)) return true;
+        if (divider->mover == LIM_NONE && !meets_entry(sorter, shaft, list)) continue;
+        if (!has_order_with(sorter, entry, list, shaft->is_shadow)) return true;
     }
     return false;
 }
@@ -252,19 +236,19 @@ static bool stays(struct lim_sorter *sorter, const struct divider *divider, cons
     struct lim_shaft shaft;
 
     if (goes_near)
-        lim_shaft_set(&shaft, route->eye, reach, &divider->plane, front_is_near);
-    else if (!lim_shadow_set(&shaft, route->eye, reach, &divider->plane, front_is_near))
+        lim_shaft_set(&shaft, route->eye, reach, &divider->own, front_is_near);
+    else if (!lim_shadow_set(&shaft, route->eye, reach, &divider->own, front_is_near))
         return false;
-    return !meets_list(sorter, &shaft, list, entry, other) &&
+    return !meets_list(sorter, &shaft, divider, list, entry, other) &&
            !lim_shaft_meets_scene(&shaft, route, divider->eye_side, reach);
 }
 
-/* Finds the sides of all entries up to `end`. Whether any reaches through the plane. */
-static bool find_sides(struct lim_sorter *sorter, struct divider *divider, uint16_t list, uint16_t end)
+/* Whether any entry reaches through the plane. */
+static bool find_sides(struct lim_sorter *sorter, const struct divider *divider, uint16_t list)
 {
     bool reaches = false;
 
-    for (; list != end; list = sorter->list[list].next) {
+    for (; list != LIM_NONE; list = sorter->list[list].next) {
         const uint8_t sides = sides_of(sorter, divider, list);
         set_sides(sorter, list, sides ? sides : near_side(divider));
         reaches |= sides == LIM_SIDE_BOTH;
@@ -276,80 +260,74 @@ static bool find_sides(struct lim_sorter *sorter, struct divider *divider, uint1
 static bool keep_uncut(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
                        uint16_t list, uint16_t entry)
 {
-    const uint8_t near = near_side(divider);
-    struct lim_reach reach;
+    const struct lim_reach reach = divider->mover == LIM_NONE
+                                       ? reach_of(sorter, entry)
+                                       : reach_beside(sorter->movers, lim_entry_owner(sorter, entry), divider->mover);
 
-    if (!reach_of(sorter, entry, &reach)) return false;
     if (stays(sorter, divider, route, list, entry, &reach, true))
-        set_sides(sorter, entry, near);
+        set_sides(sorter, entry, near_side(divider));
     else if (stays(sorter, divider, route, list, entry, &reach, false))
         set_sides(sorter, entry, far_side(divider));
     return sides_at(sorter, entry) != LIM_SIDE_BOTH;
 }
 
-/* Whole instances first: one that has found its side may let others find theirs. */
-static void keep_whole(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
-                       uint16_t list)
+/* Leaves on both sides what has to be cut. One that has found its side may let others find theirs. */
+static void decide(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
+                   uint16_t list)
 {
     bool again = true;
 
     while (again) {
         again = false;
         for (uint16_t at = list; at != LIM_NONE; at = sorter->list[at].next)
-            if (sides_at(sorter, at) == LIM_SIDE_BOTH && lim_mover_is_whole(sorter, at) &&
-                keep_uncut(sorter, divider, route, list, at))
-                again = true;
+            if (sides_at(sorter, at) == LIM_SIDE_BOTH && keep_uncut(sorter, divider, route, list, at)) again = true;
     }
-}
-
-/* Bursts the first instance that has found none. false: there is none. */
-static bool burst_one(struct lim_sorter *sorter, struct divider *divider, uint16_t *list)
-{
-    for (uint16_t *link = list; *link != LIM_NONE; link = &sorter->list[*link].next) {
-        const uint16_t entry = *link, rest = sorter->list[entry].next;
-        if (sides_at(sorter, entry) != LIM_SIDE_BOTH || !lim_mover_is_whole(sorter, entry)) continue;
-        if (!lim_mover_burst(sorter, entry, link)) continue;
-        (void)find_sides(sorter, divider, *link, rest);
-        return true;
-    }
-    return false;
-}
-
-/* Leaves on both sides what has to be cut. */
-static void decide(struct lim_sorter *sorter, struct divider *divider, const struct lim_route *route, uint16_t *list)
-{
-    do
-        keep_whole(sorter, divider, route, *list);
-    while (burst_one(sorter, divider, list));
-    for (uint16_t at = *list; at != LIM_NONE; at = sorter->list[at].next)
-        if (sides_at(sorter, at) == LIM_SIDE_BOTH && !lim_mover_is_whole(sorter, at))
-            (void)keep_uncut(sorter, divider, route, *list, at);
 }
 
 /* Cutting ---------------------------------------------------------------------------------------------------------- */
 
-/* The piece in front stays `entry`. Returns the other one, or LIM_NONE: no room. */
+/* The box ends at a plane along two axes. */
+static void set_part(struct lim_sorter *sorter, uint16_t entry, struct lim_reach reach, const struct divider *divider,
+                     bool in_front)
+{
+    struct lim_newell *newell = sorter->newell;
+    const uint8_t axis = divider->plane.axis;
+    const int32_t end_q12 = axis == LIM_NO_AXIS ? 0 : (int32_t)divider->plane.d * (int32_t)LIM_CORNER_ONE_Q12;
+
+    if (axis != LIM_NO_AXIS && in_front) reach.low_q12[axis] = end_q12;
+    if (axis != LIM_NO_AXIS && !in_front) reach.high_q12[axis] = end_q12;
+    newell->cuts[newell->cuts_used] =
+        (struct lim_cut){newell->polygons[entry].cuts, (uint16_t)(divider->entry | (in_front ? LIM_CUT_FRONT : 0u))};
+    newell->polygons[entry].cuts = newell->cuts_used++;
+    lim_entry_set_extent(sorter, entry, reach);
+}
+
+/* The part in front stays `entry`. Returns the other one, or LIM_NONE: no room. */
 static uint16_t mover_split_split(struct lim_sorter *sorter, struct divider *divider, uint16_t entry)
 {
-    if (divider->entry == LIM_NONE) divider->entry = lim_entry_new(sorter, LIM_NO_INDEX, LIM_NONE, divider->node);
-    if (divider->entry == LIM_NONE) return LIM_NONE;
+    const lim_index record = LIM_NO_INDEX;
+    const struct lim_reach reach = reach_of(sorter, entry);
+
+    if (divider->entry == LIM_NONE) divider->entry = lim_entry_new(sorter, record, divider->mover, divider->node);
+    if (divider->entry == LIM_NONE || !lim_piece_has_room(sorter)) return LIM_NONE;
     sorter->newell->polygons[divider->entry].eye_in_front = near_side(divider) == LIM_SIDE_FRONT;
-    const uint16_t other = lim_piece_split(sorter, entry, divider->entry);
-    if (other == LIM_NONE) return LIM_NONE;
+    const uint16_t other = lim_entry_new(sorter, record, lim_entry_owner(sorter, entry), record);
+    sorter->newell->polygons[other] = sorter->newell->polygons[entry];
+    set_part(sorter, entry, reach, divider, true);
+    set_part(sorter, other, reach, divider, false);
     lim_movers_note_entries(sorter);
-    if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->movers.pieces++;
+    if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->movers.divided++;
     return other;
 }
 
-/* Adds an entry to the side that it reaches to, or its pieces to both. */
+/* Adds an entry to the side that it reaches to, or its parts to both. */
 static void mover_split_one(struct lim_sorter *sorter, struct divider *divider, uint16_t entry, struct lim_queue *front,
                             struct lim_queue *back)
 {
     uint8_t sides = sides_at(sorter, entry);
 
     if (sides == LIM_SIDE_BOTH) {
-        const uint16_t other =
-            lim_mover_is_whole(sorter, entry) ? (uint16_t)LIM_NONE : mover_split_split(sorter, divider, entry);
+        const uint16_t other = mover_split_split(sorter, divider, entry);
         if (other != LIM_NONE) {
             lim_queue_add(front, entry);
             lim_queue_add(back, other);
@@ -368,10 +346,14 @@ void lim_movers_divide(const struct lim_route *route, int32_t eye_side, uint16_t
     struct lim_queue fronts = lim_queue_begin(sorter, front), backs = lim_queue_begin(sorter, back);
 
     divider.node = route->next;
-    divider.entry = divider.owner = LIM_NONE;
+    divider.mover = route->mover;
+    divider.ref = &route->scene->nodes[route->next].split;
+    divider.entry = LIM_NONE;
     divider.eye_side = eye_side;
-    lim_plane_unpack(&divider.plane, route->scene, &route->scene->nodes[route->next].split);
-    if (find_sides(sorter, &divider, list, LIM_NONE)) decide(sorter, &divider, route, &list);
+    lim_plane_unpack(&divider.own, route->scene, divider.ref);
+    divider.plane = divider.own;
+    if (route->mover != LIM_NONE) lim_mover_turn(sorter->movers, route->mover, &divider.plane);
+    if (find_sides(sorter, &divider, list)) decide(sorter, &divider, route, list);
     while (list != LIM_NONE) {
         const uint16_t entry = list;
         list = sorter->list[entry].next;

@@ -4,6 +4,7 @@
 #include "routes/route.h"
 
 #include "eye.h"
+#include "movers/mover.h"
 #include "view/cull.h"
 #include "view/pass.h"
 #include "view/walk.h"
@@ -55,10 +56,13 @@ void lim_route_go_through_leaf(struct lim_route *route, uint16_t list)
     route->next = LIM_NO_INDEX;
 }
 
-/* WALK's loop, with locals for what it changes. */
+/* WALK's loop, with locals for what it changes. Objects are mostly chains of nodes with one child: nothing has to wait
+ * where there is nothing before a run, and nothing where none comes and nothing after it. */
 lim_index lim_route_next_alone(struct lim_route *route)
 {
-    const LIM_FLASH struct lim_node *const nodes = route->scene->nodes;
+    const struct lim_scene *const scene = route->scene;
+    const LIM_FLASH struct lim_node *const nodes = scene->nodes;
+    const struct lim_eye *const eye = route->eye;
     const bool back_to_front = route->back_to_front;
     struct lim_stats *const stats = lim_stats_of(route->sorter->pass);
     lim_index next = route->next, run = LIM_NO_INDEX;
@@ -77,21 +81,31 @@ lim_index lim_route_next_alone(struct lim_route *route)
             continue;
         }
         const LIM_FLASH struct lim_node *node = &nodes[next];
-        if (lim_node_is_skipped(route->scene, node, route->shown, route->cull, depth, stats)) {
-            next = LIM_NO_INDEX;
+        const lim_index self = next;
+        next = LIM_NO_INDEX;
+        if (lim_node_is_skipped(scene, node, route->shown, route->cull, depth, stats)) continue;
+        if (LIM_HAS_STATS) stats->nodes++;
+        if (lim_route_is_leaf(node)) {
+            run = node->front_run;
+            route->node = self;
+            route->side = 1;
             continue;
         }
-        if (LIM_HAS_STATS) stats->nodes++;
-        LIM_DEBUG_ASSERT(depth < route->scene->limits.depth);
-        struct lim_route_pending *pending = &route->stack[depth++];
-        pending->node = next;
-        pending->list = LIM_NONE;
-        pending->side = 1;
-        next = LIM_NO_INDEX;
-        if (lim_route_is_leaf(node)) continue;
-        const int32_t side = lim_eye_side(route->eye, &node->split);
-        pending->side = (int8_t)((side > 0) - (side < 0));
-        next = (side > 0) != back_to_front ? node->front : node->back;
+        const int32_t side = lim_eye_side(eye, &node->split);
+        const bool front_first = (side > 0) != back_to_front;
+        const lim_index near = front_first ? node->front : node->back, far = front_first ? node->back : node->front;
+        const lim_index own = side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
+        if (near == LIM_NO_INDEX) {
+            next = far;
+            run = own;
+            route->node = self;
+            route->side = (int8_t)((side > 0) - (side < 0));
+            continue;
+        }
+        next = near;
+        if (far == LIM_NO_INDEX && own == LIM_NO_INDEX) continue;
+        LIM_DEBUG_ASSERT(depth < scene->limits.depth);
+        route->stack[depth++] = (struct lim_route_pending){self, LIM_NONE, (int8_t)((side > 0) - (side < 0))};
     }
     route->next = next;
     route->depth = depth;
@@ -99,21 +113,36 @@ lim_index lim_route_next_alone(struct lim_route *route)
     return run;
 }
 
-struct lim_route lim_route_object(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,
-                                  bool back_to_front)
+/* Whether an object that the whole screen shows has no box but that of all: what has come here is in view. */
+static bool is_all_in_view(const struct lim_sorter *sorter, const struct lim_scene *object, const struct lim_rect *open)
+{
+    const struct lim_target *target = &sorter->pass->target;
+
+    return object->box_count <= 1 && !open->x0 && !open->y0 && open->x1 == target->w_px && open->y1 == target->h_px;
+}
+
+/* Each field for itself: an initialiser would be a call of memset(). */
+void lim_route_object(struct lim_route *route, struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,
+                      bool back_to_front)
 {
     struct lim_movers *movers = sorter->movers;
     const struct lim_mover *self = &movers->movers[mover];
-    struct lim_route route = {.sorter = sorter,
-                              .scene = movers->instances[mover].object,
-                              .eye = &self->eye,
-                              .cull = movers->cull,
-                              .stack = movers->object_stack,
-                              .back_to_front = back_to_front};
 
-    if (LIM_HAS_CULL) lim_cull_set(movers->cull, &self->view, self->eye.at_q8, open);
-    lim_route_begin(&route, LIM_NONE);
-    return route;
+    route->sorter = sorter;
+    route->scene = movers->instances[mover].object;
+    route->mover = mover;
+    route->eye = &self->eye;
+    route->cull = movers->cull;
+    route->shown = NULL;
+    route->stack = movers->object_stack;
+    route->node = LIM_NO_INDEX;
+    route->side = 0;
+    route->back_to_front = back_to_front;
+    if (LIM_HAS_CULL && is_all_in_view(sorter, route->scene, open))
+        movers->cull->inside_depth = 0;
+    else if (LIM_HAS_CULL)
+        lim_cull_set(movers->cull, lim_mover_view(movers, mover), self->eye.at_q8, open);
+    lim_route_begin(route, LIM_NONE);
 }
 
 #endif

@@ -7,8 +7,8 @@
 #include "orders.h"
 
 /* The route through an object in the view of `open`; it is begun. */
-struct lim_route lim_route_object(struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,
-                                  bool back_to_front);
+void lim_route_object(struct lim_route *route, struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,
+                      bool back_to_front);
 
 /* Begins at the root with a list. */
 void lim_route_begin(struct lim_route *route, uint16_t list);

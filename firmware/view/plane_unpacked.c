@@ -36,8 +36,7 @@ void lim_plane_unpack(struct lim_plane_unpacked *plane, const struct lim_scene *
     plane->slack = (int64_t)abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]);
 }
 
-/* How far along from a value to one of the other sign 0 is. */
-static uint32_t zero_q31(int64_t from, int64_t to)
+uint32_t lim_plane_zero_q31(int64_t from, int64_t to)
 {
     const uint64_t part = from < 0 ? 0 - (uint64_t)from : (uint64_t)from;
     const uint64_t sum = part + (to < 0 ? 0 - (uint64_t)to : (uint64_t)to);
@@ -51,7 +50,7 @@ static uint32_t zero_q31(int64_t from, int64_t to)
 void lim_plane_cross(int32_t out[3], const int32_t front[3], int64_t front_value, const int32_t back[3],
                      int64_t back_value)
 {
-    const uint32_t t_q31 = zero_q31(front_value, back_value);
+    const uint32_t t_q31 = lim_plane_zero_q31(front_value, back_value);
 
     for (uint_fast8_t i = 0; i < 3; i++)
         out[i] = lerp_q31(front[i], back[i], t_q31);

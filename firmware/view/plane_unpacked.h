@@ -25,6 +25,9 @@ static inline int64_t lim_corner_value(const struct lim_plane_unpacked *plane, c
     return lim_plane_value(plane, at_q12[0], at_q12[1], at_q12[2], LIM_CORNER_ONE_Q12);
 }
 
+/* How far along from a value to one of the other sign 0 is. */
+uint32_t lim_plane_zero_q31(int64_t from, int64_t to);
+
 /* Where the plane meets the way from a point in front to one behind, any three coordinates: always from the front, so
  * that both sides get the same. The values are n . p - d there, in any one scale. */
 void lim_plane_cross(int32_t out[3], const int32_t front[3], int64_t front_value, const int32_t back[3],

@@ -316,6 +316,18 @@ static void raise_shared(struct usage *usage, bool moves, struct lim_limits *lim
     limits->retained_cells = greater(limits->retained_cells, greater(within(cells), needs_least_cells(limits)));
 }
 
+/* Beside what was used, for the object with the most polygons to be taken by those that face the eye: few views have
+ * to, and perhaps none that was sampled. */
+static uint16_t entries_for(const struct usage *usage, const struct moving *moving)
+{
+    uint32_t most_polygons = 0;
+    for (size_t i = 0; i < moving->count; i++) {
+        const uint32_t polygons = moving->objects[i].scene.scene.polygon_count;
+        if (polygons > most_polygons) most_polygons = polygons;
+    }
+    return greater(within(pieces_for(usage) + most_polygons / 2), moving->limits.instances);
+}
+
 /* Raises the limits to what the orders with spans used. */
 static void raise_limits(struct compiled *roomy, struct moving *moving, struct usage *usage, struct lim_limits *limits)
 {
@@ -332,8 +344,8 @@ static void raise_limits(struct compiled *roomy, struct moving *moving, struct u
         limits->leaf_polygons =
             greater(limits->leaf_polygons, with_margin(most(usage, usage->leaf_polygons), LEAST_LEAF));
     if (moving) usage->splits_max = usage->entries_max;
-    if (moving && pieces_for(usage) < moving->limits.entries)
-        moving->limits.entries = greater(pieces_for(usage), moving->limits.instances);
+    if (moving && entries_for(usage, moving) < moving->limits.entries)
+        moving->limits.entries = entries_for(usage, moving);
 }
 
 static bool sample_spans(struct compiled *roomy, struct moving *moving, const struct simulator_setup *setup,

@@ -71,7 +71,8 @@ static uint32_t add_mover(uint32_t hash, const struct lim_mover *mover, bool lit
 {
     hash = add(hash, mover->radius_q12);
     if (mover->radius_q12 < 0) return hash;
-    hash = add_three(add_eye(add_rows(hash, &mover->view.rows), &mover->eye), mover->centre_q12);
+    if (mover->view.rows.near_qv) hash = add_rows(hash, &mover->view.rows); /* they were asked for */
+    hash = add_three(add_eye(hash, &mover->eye), mover->centre_q12);
     for (int i = 0; lit && i < 3; i++)
         hash = add(hash, mover->to_q14[i]);
     return hash;
@@ -79,7 +80,8 @@ static uint32_t add_mover(uint32_t hash, const struct lim_mover *mover, bool lit
 
 static uint32_t add_movers(uint32_t hash, const struct lim_movers *movers, uint16_t count)
 {
-    hash = add_rows(add_three(add_three(hash, movers->ahead_q28), movers->eye_q8), &movers->world.rows);
+    hash = add_three(add_three(hash, movers->ahead_q28), movers->camera.eye_q8);
+    if (movers->world.rows.near_qv) hash = add_rows(hash, &movers->world.rows);
     for (uint16_t i = 0; i < count && i < movers->most; i++)
         hash = add_mover(hash, &movers->movers[i], movers->light->on);
     return hash;

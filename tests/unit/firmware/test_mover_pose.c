@@ -248,14 +248,14 @@ static void axes_of(const struct lim_camera *camera, double axes[3][3])
         axes[i / 3][i % 3] = ldexp(axes_q30[i], -30);
 }
 
-static void check_camera(const struct stage *stage, const struct lim_camera *camera, const double axes[3][3])
+static void check_camera(struct stage *stage, const struct lim_camera *camera, const double axes[3][3])
 {
     const struct lim_mover *mover = &stage->lim.movers->movers[0];
     const struct lim_instance *instance = &stage->instance;
     const double away[3] = {(camera->eye_q8[0] - instance->at_q8[0]) / 256.0,
                             (camera->eye_q8[1] - instance->at_q8[1]) / 256.0,
                             (camera->eye_q8[2] - instance->at_q8[2]) / 256.0};
-    const struct lim_row *row = mover->view.rows.row;
+    const struct lim_row *row = lim_mover_view(stage->lim.movers, 0)->rows.row;
     double eye[3], ahead[3];
 
     turn_back(instance, away, eye);

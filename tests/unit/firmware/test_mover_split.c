@@ -12,6 +12,7 @@
 #include "rigs/random_camera.h"
 #include "rigs/set_rig.h"
 #include "routes/mover_list.h"
+#include "routes/mover_part.h"
 #include "routes/mover_route.h"
 #include "routes/mover_split.h"
 #include "routes/route.h"
@@ -172,13 +173,44 @@ static void place_at(struct stage *stage, const double eye[3], struct random *ra
     assert_true(movers->movers[0].radius_q12 >= 0);
 }
 
-/* One entry, a polygon of the object's or all of it, and on which sides of the plane it goes. */
-static int sides_after(struct stage *stage, bool is_whole, bool eye_in_front)
+/* On which sides of the plane the object's polygon is drawn, as parts of the object that the plane has cut. */
+static int sides_of_polygon(struct stage *stage, bool eye_in_front)
+{
+    enum { INSTANCE, PLANE, POLYGON, COUNT };
+    struct lim_sorter *sorter = stage->lim.sorter;
+    struct lim_newell *newell = sorter->newell;
+    enum lim_part_share shares[2];
+
+    newell->polygons[INSTANCE] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+    newell->polygons[PLANE] =
+        (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = LIM_NONE, .eye_in_front = eye_in_front};
+    newell->polygons[POLYGON] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
+    sorter->list[INSTANCE] = sorter->list[PLANE] = (struct lim_sorted){.record = LIM_NO_INDEX, .next = LIM_NONE};
+    sorter->list[POLYGON] = (struct lim_sorted){.record = 0, .next = LIM_NONE};
+    sorter->used = COUNT;
+    for (int back = 0; back < 2; back++) {
+        struct lim_part part;
+        newell->cuts[back] = (struct lim_cut){LIM_NONE, (uint16_t)(PLANE | (back ? 0 : LIM_CUT_FRONT))};
+        newell->cuts_used = (uint16_t)(back + 1);
+        newell->polygons[INSTANCE].cuts = (uint16_t)back;
+        lim_part_begin(&part, sorter, INSTANCE);
+        shares[back] = lim_part_take(&part, sorter, POLYGON);
+    }
+    if (shares[0] != LIM_PART_NOTHING && shares[1] != LIM_PART_NOTHING)
+        for (int back = 0; back < 2; back++)
+            assert_int_equal(shares[back], LIM_PART_PIECE);
+    else
+        assert_true(shares[0] == LIM_PART_ALL || shares[1] == LIM_PART_ALL);
+    return (shares[0] != LIM_PART_NOTHING ? FRONT : 0) | (shares[1] != LIM_PART_NOTHING ? BACK : 0);
+}
+
+/* The instance, and on which sides of the plane it goes. */
+static int sides_after(struct stage *stage, bool eye_in_front)
 {
     struct lim_sorter *sorter = stage->lim.sorter;
     uint16_t front, back;
 
-    sorter->list[0] = (struct lim_sorted){.record = is_whole ? (lim_index)LIM_NO_INDEX : 0, .next = LIM_NONE};
+    sorter->list[0] = (struct lim_sorted){.record = LIM_NO_INDEX, .next = LIM_NONE};
     sorter->newell->polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
     sorter->used = 1;
     sorter->newell->cuts_used = 0;
@@ -277,7 +309,7 @@ static void polygons_go_where_their_corners_are(void **state)
         const int sides = sides_of_corners(&stage, &is_clear);
         if (!is_clear) continue;
         found[sides]++;
-        assert_int_equal(sides_after(&stage, false, eye_in_front), sides ? sides : eye_in_front ? FRONT : BACK);
+        assert_int_equal(sides_of_polygon(&stage, eye_in_front), sides ? sides : eye_in_front ? FRONT : BACK);
     }
     stage_close(&stage);
     print_message("# %d on it, %d in front, %d behind, %d both\n", found[0], found[1], found[2], found[3]);
@@ -303,7 +335,7 @@ static void centres_decide_for_those_that_enter_by_them(void **state)
             set_plane(&stage, along_x, 77);
             stage.lim.movers->movers[0].centre_q12[0] = 77 * 4096 + beyond_q12;
             const bool is_front = beyond_q12 ? beyond_q12 > 0 : eye_in_front;
-            assert_int_equal(sides_after(&stage, true, eye_in_front), is_front ? FRONT : BACK);
+            assert_int_equal(sides_after(&stage, eye_in_front), is_front ? FRONT : BACK);
         }
     stage_close(&stage);
 }
@@ -321,8 +353,23 @@ static double box_reach(const struct stage *stage)
     return reach;
 }
 
-/* What reaches the plane by its ball and by its box, and by more than counts as on it, is taken apart where there is a
- * wall in it; what does not, by more than what its radius and the plane's length are rounded up by, is not. */
+/* The same of the box's corners, which are vertices. */
+static double corner_reach(const struct stage *stage)
+{
+    double reach = 0;
+
+    for (int j = 0; j < 3; j++) {
+        double along = 0;
+        for (int i = 0; i < 3; i++)
+            along += (double)stage->n[i] * ldexp(stage->instance.axes_q30[3 * j + i], -30);
+        reach += fabs(along) * ldexp(stage->box.half[j], -stage->instance.finer_bits);
+    }
+    return reach;
+}
+
+/* What reaches the plane by its ball, its box and its vertices, and by more than counts as on it, is taken apart where
+ * there is a wall in it; what does not, by more than what its radius and the plane's length are rounded up by, is not.
+ */
 static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
 {
     static struct stage stage;
@@ -344,7 +391,8 @@ static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
         const double box = box_reach(&stage), rounded = radius * (most + (sum - most) * 107 / 256 + 1);
         const bool reaches = random_in(&random, 0, 1), is_front = random_in(&random, 0, 1);
         const double slack = is_front ? -sum : sum; /* what is on the plane is on the eye's side, in front */
-        const double surely = fmin(radius * length, box) + slack; /* it reaches so far, of normals */
+        const double all = fmin(fmin(radius * length, box), corner_reach(&stage));
+        const double surely = all + slack; /* it reaches so far, of normals */
         const double beyond = fmin(rounded, box + sum * 0.002) + slack;
         const double by = reaches ? surely - fabs(surely) * 1e-5 * (double)random_in(&random, 1, 20)
                                   : beyond + fabs(beyond) * 1e-5 * (double)random_in(&random, 1, 20);
@@ -358,7 +406,7 @@ static void balls_are_taken_apart_where_they_reach_the_plane(void **state)
         if (length * radius < 1e6) continue;
         set_plane(&stage, n, d);
         stats->movers.divided = 0;
-        const int sides = sides_after(&stage, true, true);
+        const int sides = sides_after(&stage, true);
         assert_int_equal(stats->movers.divided, reaches);
         if (!reaches) assert_int_equal(sides, is_front ? FRONT : BACK);
         found[reaches]++;
@@ -431,7 +479,7 @@ static void what_stays_uncut_has_an_order(void **state)
         place_at(&stage, eye, &random);
         if (fabs(stage.instance.at_q8[0] / 256.0) > 300) continue;
         stage.lim.pass.stats->movers.divided = 0;
-        const int sides = sides_after(&stage, true, eye[0] > 0);
+        const int sides = sides_after(&stage, eye[0] > 0);
         look_through(&stage, eye, &random, &hidden, &hides);
         const bool is_near = sides == (eye[0] > 0 ? FRONT : BACK), is_apart = stage.lim.pass.stats->movers.divided;
         if (!is_apart) assert_false(is_near ? hidden : hides);
