@@ -18,22 +18,38 @@ typedef uint64_t lim_mesh_rank;
 typedef uint32_t lim_mesh_rank;
 #endif
 
+struct lim_mesh;
+
+#define LIM_MESH_NEAREST ((lim_mesh_rank)-1) /* of the end of all lists, and nothing else */
+
 /* A triangle's nearness, 1 / z, as a plane over the screen; modulo 2^32, which matters nowhere within it. */
 struct lim_mesh_depth {
-    uint32_t at_q16;       /* of the current line's first pixel */
+    uint32_t at_q16;       /* of the current line's first pixel; if LIM_HAS_TEXTURE, of the screen's */
     uint32_t x_q16, y_q16; /* what a pixel to the right, and a line down, adds */
-    uint16_t turn;         /* the line on which an edge ends: that of the entry is the next line, always */
-    uint8_t goes_on;       /* what the entry's was */
+    __extension__ union {
+        __extension__ struct { /* unless LIM_HAS_TEXTURE */
+            uint16_t turn;     /* the line on which an edge ends: that of the entry is the next line, always */
+            uint8_t goes_on;   /* what the entry's was */
+        };
+        struct lim_mesh *mesh; /* if so */
+    };
 };
 
-/* Where a boundary is on the current line, and what a line adds: what is stepped of a struct lim_edge. */
+/* Where a boundary is on the current line, and what a line adds: what is stepped of a struct lim_edge. And both
+ * boundaries, left and right: what lies together is loaded together. */
 #if LIM_8_BIT
 struct lim_mesh_edge {
     struct lim_edge whole;
 };
+struct lim_mesh_edges {
+    struct lim_edge whole[2];
+};
 #else
 struct lim_mesh_edge {
     lim_edge_at at, step;
+};
+struct lim_mesh_edges {
+    lim_edge_at at[2], step[2];
 };
 #endif
 
@@ -44,13 +60,18 @@ union lim_mesh_gradients {
 };
 
 /* What a triangle shows, where the scene has textures: texels that advance evenly; or what level.w_bits says instead of
- * a level. */
+ * a level. What a line asks for lies together. */
 struct lim_mesh_look {
-    struct lim_texture_level level;
-    __extension__ union {                    /* C++ wants names for both */
-        struct lim_texture_even even;        /* of pixel (0, -1): a line knows the number of the one below */
-        union lim_mesh_gradients *gradients; /* NULL: there was no room, they are made for each line */
+    /* Paints pixels of a line, as lim_texels_painter does; who shows no level makes no use of `place`. */
+    void (*show)(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+    __extension__ union {                        /* C++ wants names for both */
+        struct lim_texture_even even;            /* of pixel (0, -1): a line knows the number of the one below */
+        __extension__ struct {                   /* or of what is no level */
+            union lim_mesh_gradients *gradients; /* NULL: there was no room, they are made for each line */
+            struct lim_mesh *mesh;
+        };
     };
+    struct lim_texture_level level;
 };
 
 enum lim_mesh_shown {
@@ -61,19 +82,33 @@ enum lim_mesh_shown {
     LIM_MESH_UNSET          /* the same of one that is not clipped */
 };
 
-/* Room for gradients, at the end of the pool. */
+struct lim_mesh_line;
+
+/* A picture as a triangle takes it: that of the last one, as the next one's mostly is the same, if not its palette. */
+struct lim_mesh_picture {
+    uint32_t sizes;                 /* lim_texture_sizes(); 0: none */
+    uint16_t texels;                /* of struct lim_texture */
+    uint8_t own_down, area_down;    /* by which a triangle's sizes in the texture and on the screen are compared */
+    uint8_t up;                     /* from places to 16 bits */
+    int8_t step_down;               /* of steps, without the zeros of a triangle's size */
+    struct lim_texture_level level; /* the first one, without a palette */
+};
+
+/* What all triangles have in common; and room for gradients, at the end of the pool. */
 struct lim_mesh_looks {
     union lim_mesh_gradients *free;
-    uint16_t whole_size; /* of the pool; what lim_mesh.pool_size is less has become theirs */
-    uint8_t first;       /* what triangles show at first: LIM_MESH_UNSET, or LIM_MESH_COLOUR in scenes of colours */
-    lim_index mask;      /* lim_triangle_texture_mask() */
-    uint32_t even;       /* nearness at a quarter of a unit, times 3/2: as lim_mesh_rank_of() has it */
+    const struct lim_mesh_line *line; /* which is painted */
+    int16_t left, right;              /* of what is painted, where it may reach beyond the line */
+    uint16_t whole_size;              /* of the pool; what lim_mesh.pool_size is less has become theirs */
+    lim_index mask;                   /* lim_triangle_texture_mask() */
+    uint32_t even;                    /* nearness at a quarter of a unit, times 3/2: as lim_mesh_rank_of() has it */
+    struct lim_mesh_picture taken;
 };
 
 /* A triangle that crosses the current line. */
 struct lim_mesh_active {
     struct lim_mesh_active *next;
-    struct lim_mesh_edge edges[2]; /* left, right */
+    struct lim_mesh_edges edges;
     struct lim_mesh_edge lower; /* if `goes_on`: what follows the upper one of two edges, on the line where it does */
     lim_mesh_rank rank;
     uint16_t turn;   /* the line on which an edge ends */
@@ -91,7 +126,8 @@ enum lim_mesh_turn {
     LIM_MESH_LEFT,  /* `lower` takes the left edge's place */
     LIM_MESH_RIGHT, /* or the right one's */
     LIM_MESH_ANEW,  /* edges are found anew: it was clipped, or is long */
-    LIM_MESH_DEEP   /* it has depth: its edges have changed places, so that it has no pixels but by its depth */
+    LIM_MESH_DEEP /* it has depth, and nothing has textures: its edges have changed places, so that it has no pixels but
+                     by its depth */
 };
 
 /* A line that is painted: pixels x0 <= x < x1, of memory that begins at x = 0. */

@@ -168,13 +168,20 @@ struct lim_uv {
 /* A picture of 2^w_bits x 2^h_bits texels, an index of the palette each, a row after the other from the top; then the
  * same in half the size, and so on. Sizes are 0..10 bits, and none is higher than wide. */
 struct lim_texture {
-    uint16_t texels;  /* where it begins in lim_scene.texels, in blocks */
-    uint16_t palette; /* where its colours begin in lim_scene.palettes */
+    uint16_t texels LIM_WORD_ALIGNED; /* where it begins in lim_scene.texels, in blocks */
+    uint16_t palette;                 /* where its colours begin in lim_scene.palettes */
     uint8_t w_bits, h_bits;
     uint8_t levels;     /* 1..h_bits + 1 */
     uint8_t place_bits; /* of a mesh: of struct lim_uv, 0..15; else 0 */
 };
 enum { LIM_TEXEL_BLOCK = 16 };
+
+/* All of its sizes, as a number to compare; at least one is not 0. */
+typedef uint32_t __attribute__((may_alias)) lim_texture_word;
+static inline uint32_t lim_texture_sizes(const LIM_FLASH struct lim_texture *texture)
+{
+    return *(const LIM_FLASH lim_texture_word *)&texture->w_bits;
+}
 
 /* A colour as the target's memory holds it, in a constant: lim_memory_colour(). */
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__

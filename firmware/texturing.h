@@ -34,16 +34,16 @@ struct lim_texture_plane {
 
 struct lim_texture_level;
 
-/* n pixels of a line, from a place in the picture on. */
-typedef void lim_texels_painter(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+/* n pixels of a line, one at least, that end before `end`, from a place in the picture on. What ends at one place takes
+ * one jump into stores without a loop, however many there are. */
+typedef void lim_texels_painter(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
 
 /* How to find texels of one level, and how they advance. */
 struct lim_texture_level {
-    lim_texels_painter *paint;
+    uint32_t step;      /* what a pixel to the right adds to a place */
+    uint32_t rows_mask; /* of rows times what a row has, which is 2^w_bits */
     const LIM_FLASH uint8_t *texels;
     const LIM_FLASH uint16_t *palette;
-    uint32_t rows_mask; /* of rows times what a row has, which is 2^w_bits */
-    uint32_t step;      /* what a pixel to the right adds to a place */
     uint8_t w_bits, number;
 };
 
@@ -70,6 +70,7 @@ struct lim_texture_planes {             /* where it is not */
 
 /* A polygon's mapping as this frame's camera sees it. */
 struct lim_gradients {
+    lim_texels_painter *paint;                   /* what paints its width */
     struct lim_texture_level level;              /* the last one that was shown */
     const LIM_FLASH struct lim_texture *texture; /* NULL: of one colour */
     bool is_even;

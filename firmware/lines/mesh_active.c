@@ -68,13 +68,13 @@ static void set_any(struct lim_mesh_active *active, const struct lim_point *at, 
 
     active->goes_on = LIM_MESH_ANEW;
     if (shape->top > (int16_t)y) {
-        active->edges[0] = active->edges[1] = (struct lim_mesh_edge){0};
+        lim_mesh_edges_rest(&active->edges);
         set_lines(active, shape->top, shape->bottom);
         return;
     }
     set_lines(active, lim_edge_start(&pair, at, n, shape->first, (int16_t)y), shape->bottom);
-    lim_mesh_edge_take(&active->edges[0], &pair.left);
-    lim_mesh_edge_take(&active->edges[1], &pair.right);
+    lim_mesh_edges_take(&active->edges, LIM_MESH_LEFT, &pair.left);
+    lim_mesh_edges_take(&active->edges, LIM_MESH_RIGHT, &pair.right);
 }
 
 static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *clipped, lim_index triangle, uint8_t part,
@@ -88,7 +88,7 @@ static bool begin_part(struct lim_mesh *mesh, const struct lim_mesh_clipped *cli
     struct lim_mesh_active *active = lim_mesh_new(mesh);
     if (!active) return false;
     active->rank = rank;
-    active->colour = mesh_colour_of(mesh, triangle);
+    if (!LIM_HAS_TEXTURE) active->colour = mesh_colour_of(mesh, triangle);
     if (LIM_HAS_TEXTURE) lim_mesh_texture_begin_clipped(mesh, active);
     active->part = part;
     if (LIM_HAS_STATS) *active->seen = false;
@@ -115,7 +115,7 @@ static void take_out(struct lim_mesh *mesh, lim_mesh_rank rank)
 
     while (*link != &mesh->end)
         if ((*link)->rank == rank)
-            lim_mesh_give_back(mesh, link);
+            lim_mesh_give_back(mesh, link, *link);
         else
             link = &(*link)->next;
 }
@@ -166,28 +166,19 @@ static inline int32_t mesh_row_of(lim_packed at)
     return lim_edge_row((lim_edge_sub)lim_packed_y(at));
 }
 
-static LIM_ALONE bool begin_slow(struct lim_mesh_edge *edge, lim_packed from, lim_packed to, int32_t row, int32_t end)
+static LIM_ALONE bool begin_slow(struct lim_edge *edge, lim_packed from, lim_packed to, int32_t row, int32_t end)
 {
-    struct lim_edge begun;
-
-    if (!lim_edge_begin_slow(&begun, lim_packed_point(from), lim_packed_point(to), (int16_t)(row + LIM_ORIGIN_PX),
-                             (int16_t)(end + LIM_ORIGIN_PX)))
-        return false;
-    lim_mesh_edge_take(edge, &begun);
-    return true;
+    return lim_edge_begin_slow(edge, lim_packed_point(from), lim_packed_point(to), (int16_t)(row + LIM_ORIGIN_PX),
+                               (int16_t)(end + LIM_ORIGIN_PX));
 }
 
 /* An edge on a line, both from the origin. false: it is to be begun anew before it ends. */
-static LIM_INLINE bool begin_edge(struct lim_mesh_edge *edge, lim_packed from, lim_packed to, int32_t row, int32_t end)
+static LIM_INLINE bool begin_edge(struct lim_edge *edge, lim_packed from, lim_packed to, int32_t row, int32_t end)
 {
     const int32_t ax = lim_packed_x(from), ay = lim_packed_y(from), bx = lim_packed_x(to), by = lim_packed_y(to);
-    struct lim_edge begun;
 
-    if (!lim_edge_begin_fast(&begun, ax, ay, bx, by, row, end) &&
-        !(EDGE_HAS_SMALL && begin_medium(&begun, ax, ay, bx, by, row)))
-        return begin_slow(edge, from, to, row, end);
-    lim_mesh_edge_take(edge, &begun);
-    return true;
+    return lim_edge_begin_fast(edge, ax, ay, bx, by, row, end) ||
+           (EDGE_HAS_SMALL && begin_medium(edge, ax, ay, bx, by, row)) || begin_slow(edge, from, to, row, end);
 }
 
 /* What has an edge that is begun anew on the way, and where small code is asked for: by EDGE. */
@@ -207,13 +198,21 @@ static LIM_RARE void set_long(struct lim_mesh_active *active, lim_packed top, li
 static LIM_INLINE bool set_each(struct lim_mesh_active *active, lim_packed top, lim_packed middle, lim_packed low,
                                 int32_t row, int32_t middle_row, int32_t bottom_row)
 {
-    struct lim_mesh_edge *const whole = &active->edges[active->goes_on ^ 1];
-    struct lim_mesh_edge *const other = &active->edges[active->goes_on];
+    struct lim_edge edge;
 
-    if (LIM_OPTIMISE_SIZE || LIM_8_BIT || !begin_edge(whole, top, low, row, bottom_row)) return false;
-    if (middle_row <= row) return begin_edge(other, middle, low, row, bottom_row);
-    return begin_edge(other, top, middle, row, middle_row) &&
-           (middle_row == bottom_row || begin_edge(&active->lower, middle, low, middle_row, bottom_row));
+    if (LIM_OPTIMISE_SIZE || LIM_8_BIT || !begin_edge(&edge, top, low, row, bottom_row)) return false;
+    lim_mesh_edges_take(&active->edges, active->goes_on ^ 1, &edge);
+    if (middle_row <= row) {
+        if (!begin_edge(&edge, middle, low, row, bottom_row)) return false;
+        lim_mesh_edges_take(&active->edges, active->goes_on, &edge);
+        return true;
+    }
+    if (!begin_edge(&edge, top, middle, row, middle_row)) return false;
+    lim_mesh_edges_take(&active->edges, active->goes_on, &edge);
+    if (middle_row == bottom_row) return true;
+    if (!begin_edge(&edge, middle, low, middle_row, bottom_row)) return false;
+    lim_mesh_edge_take(&active->lower, &edge);
+    return true;
 }
 
 /* Edges for line y, which the triangle has: one goes from top to bottom, the other turns at the middle corner, on the
@@ -233,12 +232,9 @@ static LIM_ALONE void set_one_by_one(struct lim_mesh_active *active, lim_packed 
 
 #if LIM_DIVIDES && !LIM_8_BIT && !LIM_OPTIMISE_SIZE
 
-static LIM_INLINE void set_short_edge(struct lim_mesh_edge *edge, lim_packed from, int32_t dx, int32_t dy, int32_t row)
+static LIM_INLINE void set_short_from(struct lim_edge *edge, lim_packed from, int32_t dx, int32_t dy, int32_t row)
 {
-    struct lim_edge begun;
-
-    set_short(&begun, lim_packed_x(from), lim_packed_y(from), dx, dy, row);
-    lim_mesh_edge_take(edge, &begun);
+    set_short(edge, lim_packed_x(from), lim_packed_y(from), dx, dy, row);
 }
 
 /* The same for line active->turn; where all edges are short, which is asked once. A function of its own: it wants all
@@ -249,26 +245,28 @@ static LIM_ALONE void set_three(struct lim_mesh_active *active, lim_packed top, 
     const int32_t lower_dx = whole.dx - upper.dx;
     const int32_t row = (int32_t)active->turn - LIM_ORIGIN_PX, middle_row = mesh_row_of(middle),
                   bottom_row = mesh_row_of(low);
+    struct lim_edge edge;
 
     if (!edge_is_low(whole.dy, bottom_row - (lim_packed_y(top) >> LIM_SUB_BITS)) ||
         !edge_are_narrow(edge_width(whole.dx) | edge_width(upper.dx) | edge_width(lower_dx))) {
         set_one_by_one(active, top, middle, low);
         return;
     }
-    set_short_edge(&active->edges[active->goes_on ^ 1], top, whole.dx, whole.dy, row);
-    struct lim_mesh_edge *lower = &active->edges[active->goes_on];
-    int32_t lower_row = row;
+    set_short_from(&edge, top, whole.dx, whole.dy, row);
+    lim_mesh_edges_take(&active->edges, active->goes_on ^ 1, &edge);
     active->bottom = (uint16_t)(bottom_row + LIM_ORIGIN_PX);
     if (middle_row > row) {
-        set_short_edge(lower, top, upper.dx, upper.dy, row);
+        set_short_from(&edge, top, upper.dx, upper.dy, row);
+        lim_mesh_edges_take(&active->edges, active->goes_on, &edge);
         active->turn = (uint16_t)(middle_row + LIM_ORIGIN_PX);
         if (middle_row == bottom_row) return;
-        lower = &active->lower;
-        lower_row = middle_row;
-    } else {
-        active->turn = active->bottom;
+        set_short_from(&edge, middle, lower_dx, whole.dy - upper.dy, middle_row);
+        lim_mesh_edge_take(&active->lower, &edge);
+        return;
     }
-    set_short_edge(lower, middle, lower_dx, whole.dy - upper.dy, lower_row);
+    active->turn = active->bottom;
+    set_short_from(&edge, middle, lower_dx, whole.dy - upper.dy, row);
+    lim_mesh_edges_take(&active->edges, active->goes_on, &edge);
 }
 
 #else
@@ -298,20 +296,20 @@ static inline lim_mesh_rank rank_of_three(uint32_t near_a, uint32_t near_b, uint
 
 /* `trial`: NULL, or as in lim_mesh_try(). *last: as in mesh_insert(). */
 static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_index *triangles, lim_index triangle,
-                                  uint16_t y, struct lim_mesh_trial *trial, struct lim_mesh_active **last)
+                                  uint16_t y, struct lim_mesh_trial *trial, struct lim_mesh_active **last,
+                                  bool may_clip)
 {
     const LIM_FLASH lim_index *corners = triangles + (size_t)triangle * LIM_TRIANGLE_WORDS;
     const lim_index a = corners[0], b = corners[1], c = corners[2];
     const uint32_t near_a = mesh->nearness[a], near_b = mesh->nearness[b], near_c = mesh->nearness[c];
 
-    if (LIM_UNLIKELY(mesh->extent == LIM_VIEW_CLIPPED) && (!near_a || !near_b || !near_c))
-        return begin_clipped(mesh, triangle, y, trial);
+    if (may_clip && (!near_a || !near_b || !near_c)) return begin_clipped(mesh, triangle, y, trial);
     const lim_mesh_rank rank = rank_of_three(near_a, near_b, near_c, triangle);
     if (is_left_out(trial, rank)) return false;
     struct lim_mesh_active *active = lim_mesh_new(mesh);
     if (LIM_UNLIKELY(!active)) return false;
     active->rank = rank;
-    active->colour = lim_memory_colour((uint16_t)corners[3]);
+    if (!LIM_HAS_TEXTURE) active->colour = lim_memory_colour((uint16_t)corners[3]);
     if (LIM_HAS_TEXTURE) lim_mesh_texture_begin(mesh, active);
     active->turn = y;
     if (LIM_HAS_STATS) *active->seen = false;
@@ -324,21 +322,32 @@ static LIM_INLINE bool mesh_begin(struct lim_mesh *mesh, const LIM_FLASH lim_ind
     return true;
 }
 
-lim_index lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y)
+static LIM_INLINE lim_index mesh_begin_line(struct lim_mesh *mesh, uint16_t y, bool may_clip)
 {
     const LIM_FLASH lim_index *const triangles = mesh->pass->scene->polygons;
     const lim_index *const links = mesh->links;
     struct lim_mesh_active *last = &mesh->end;
 
     for (lim_index triangle = mesh->tops[y]; triangle != LIM_NO_INDEX; triangle = links[triangle])
-        if (!mesh_begin(mesh, triangles, triangle, y, NULL, &last)) return triangle;
+        if (!mesh_begin(mesh, triangles, triangle, y, NULL, &last, may_clip)) return triangle;
     return LIM_NO_INDEX;
+}
+
+static LIM_ALONE lim_index begin_unclipped(struct lim_mesh *mesh, uint16_t y)
+{
+    return mesh_begin_line(mesh, y, false);
+}
+
+lim_index lim_mesh_begin_all(struct lim_mesh *mesh, uint16_t y)
+{
+    if (!LIM_OPTIMISE_SIZE && mesh->extent != LIM_VIEW_CLIPPED) return begin_unclipped(mesh, y);
+    return mesh_begin_line(mesh, y, mesh->extent == LIM_VIEW_CLIPPED);
 }
 
 bool lim_mesh_try(struct lim_mesh *mesh, lim_index triangle, uint16_t y, struct lim_mesh_trial *trial,
                   struct lim_mesh_active **last)
 {
-    return mesh_begin(mesh, mesh->pass->scene->polygons, triangle, y, trial, last);
+    return mesh_begin(mesh, mesh->pass->scene->polygons, triangle, y, trial, last, mesh->extent == LIM_VIEW_CLIPPED);
 }
 
 lim_mesh_rank lim_mesh_find_rank(const struct lim_mesh *mesh, lim_index triangle)

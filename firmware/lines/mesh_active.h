@@ -5,8 +5,10 @@
 #define LIM_MESH_ACTIVE_H
 
 #include "lines/mesh_clip.h"
+#include "lines/mesh_edges.h"
 #include "lines/mesh_texture.h"
 #include "meshes.h"
+#include "pixels/target_parts.h"
 #include "screen/edge.h"
 #include "view/pass.h"
 #include "view/view.h"
@@ -29,6 +31,22 @@ static inline bool lim_mesh_is_deep(const struct lim_mesh *mesh, lim_index trian
     return LIM_HAS_MESH_DEPTH && triangle >= mesh->depths->from;
 }
 
+/* Whether no triangle reaches beyond the line. */
+static inline bool lim_mesh_is_inside(const struct lim_mesh *mesh)
+{
+    return !LIM_OPTIMISE_SIZE && LIM_SUB_BITS > 0 && mesh->extent == LIM_VIEW_INSIDE &&
+           !lim_target_is_round(&mesh->pass->target);
+}
+
+/* One that was never used, of which there are some. */
+static inline struct lim_mesh_active *lim_mesh_new_unused(struct lim_mesh *mesh)
+{
+    struct lim_mesh_active *const active = &mesh->pool[mesh->unused++];
+
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_enter(active);
+    return active;
+}
+
 /* NULL: there is no room. */
 static inline struct lim_mesh_active *lim_mesh_new(struct lim_mesh *mesh)
 {
@@ -37,7 +55,7 @@ static inline struct lim_mesh_active *lim_mesh_new(struct lim_mesh *mesh)
     if (active)
         mesh->free = active->next;
     else if (mesh->unused < mesh->pool_size)
-        active = &mesh->pool[mesh->unused++];
+        active = lim_mesh_new_unused(mesh);
     return active;
 }
 
@@ -49,49 +67,13 @@ static inline void lim_mesh_let_go(struct lim_mesh *mesh, struct lim_mesh_active
 }
 
 /* Unlinks the one that `link` leads to. */
-static inline void lim_mesh_give_back(struct lim_mesh *mesh, struct lim_mesh_active **link)
+static inline void lim_mesh_give_back(struct lim_mesh *mesh, struct lim_mesh_active **link,
+                                      struct lim_mesh_active *active)
 {
-    struct lim_mesh_active *active = *link;
-
     if (LIM_HAS_TEXTURE) lim_mesh_texture_leave(mesh, active);
     *link = active->next;
     lim_mesh_let_go(mesh, active);
 }
-
-#if LIM_8_BIT
-
-static inline void lim_mesh_edge_take(struct lim_mesh_edge *edge, const struct lim_edge *begun)
-{
-    edge->whole = *begun;
-}
-
-static inline int32_t lim_mesh_edge_next(struct lim_mesh_edge *edge)
-{
-    const int16_t x = lim_edge_x(&edge->whole);
-
-    lim_edge_step(&edge->whole);
-    return x;
-}
-
-#else
-
-/* From an edge that is set for a line. */
-static inline void lim_mesh_edge_take(struct lim_mesh_edge *edge, const struct lim_edge *begun)
-{
-    edge->at = begun->at;
-    edge->step = begun->step;
-}
-
-/* The first pixel at or right of a boundary; and on to the next line. */
-static LIM_INLINE int32_t lim_mesh_edge_next(struct lim_mesh_edge *edge)
-{
-    const lim_edge_at at = edge->at;
-
-    edge->at = (lim_edge_at)((lim_edge_wrap)at + (lim_edge_wrap)edge->step);
-    return (int32_t)(at >> LIM_EDGE_BITS);
-}
-
-#endif
 
 /* All of them. */
 void lim_mesh_clear(struct lim_mesh *mesh);

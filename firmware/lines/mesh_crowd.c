@@ -53,7 +53,7 @@ static bool push_out(struct lim_mesh *mesh)
     if (*link == &mesh->end) return false;
     crowd_append(mesh, lim_mesh_number(*link), rank);
     while ((*link)->rank == rank)
-        lim_mesh_give_back(mesh, link);
+        lim_mesh_give_back(mesh, link, *link);
     return true;
 }
 
@@ -85,7 +85,7 @@ static bool crowd_has_room(struct lim_mesh *mesh)
     uint_fast8_t count = 0;
 
     while (mesh->unused < mesh->pool_size)
-        lim_mesh_let_go(mesh, &mesh->pool[mesh->unused++]);
+        lim_mesh_let_go(mesh, lim_mesh_new_unused(mesh));
     for (const struct lim_mesh_active *free = mesh->free; free && count < MESH_LEAST_ACTIVE; free = free->next)
         count++;
     return count == MESH_LEAST_ACTIVE;
@@ -120,7 +120,7 @@ static void paint_part(struct lim_mesh *mesh, const struct lim_mesh_line *line)
 {
     lim_mesh_paint(mesh, line);
     while (mesh->first != &mesh->end)
-        lim_mesh_give_back(mesh, &mesh->first);
+        lim_mesh_give_back(mesh, &mesh->first, mesh->first);
     mesh->parts++;
 }
 

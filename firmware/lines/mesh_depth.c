@@ -6,6 +6,7 @@
  * cut to 15 bits, as A's reciprocal has 15. Both cuts are some 2^-14 of what nearness gains across the triangle. */
 #include "lines/mesh_depth.h"
 
+#include "lines/mesh_edges.h"
 #include "lines/mesh_plane.h"
 #include "lines/mesh_texture.h"
 #include "math/fixed.h"
@@ -46,10 +47,7 @@ static LIM_INLINE void set_differences(struct plane_of_three *plane, const struc
 /* Edges change places: what paints without depth finds no pixels, and what turns on the next line is asked there. */
 static void take_depth(struct lim_mesh_active *active, uint16_t y)
 {
-    const struct lim_mesh_edge left = active->edges[0];
-
-    active->edges[0] = active->edges[1];
-    active->edges[1] = left;
+    lim_mesh_edges_swap(&active->edges);
     active->depth->goes_on = active->goes_on;
     active->goes_on = LIM_MESH_DEEP;
     active->depth->turn = active->turn;
@@ -60,7 +58,7 @@ static void take_depth(struct lim_mesh_active *active, uint16_t y)
  * below 2^16, far away and near by. */
 enum { ABOVE_NOTHING = 1 << 14 };
 
-/* Nearness at a line's first pixel, from a corner where it is known. */
+/* Nearness at the first pixel of a line, or of the screen, from a corner where it is known. */
 static LIM_INLINE void mesh_set_plane(struct lim_mesh_active *active, const struct lim_point *a, uint16_t nearness,
                                       uint32_t x_q16, uint32_t y_q16, uint16_t y)
 {
@@ -69,11 +67,15 @@ static LIM_INLINE void mesh_set_plane(struct lim_mesh_active *active, const stru
     uint32_t at_q16 = (uint32_t)(nearness + ABOVE_NOTHING) << 16;
 
     at_q16 -= x_q16 * (uint32_t)right_px + (uint32_t)(((int32_t)x_q16 >> LIM_SUB_BITS) * part_x);
-    at_q16 += y_q16 * (uint32_t)((int32_t)y - down_px) - (uint32_t)(((int32_t)y_q16 >> LIM_SUB_BITS) * part_y);
+    at_q16 += y_q16 * (uint32_t)((LIM_HAS_TEXTURE ? 0 : (int32_t)y) - down_px) -
+              (uint32_t)(((int32_t)y_q16 >> LIM_SUB_BITS) * part_y);
     active->depth->at_q16 = at_q16;
     active->depth->x_q16 = x_q16;
     active->depth->y_q16 = y_q16;
-    take_depth(active, y);
+    if (LIM_HAS_TEXTURE)
+        lim_mesh_texture_deepen(active);
+    else
+        take_depth(active, y);
 }
 
 struct near_point {
@@ -111,6 +113,7 @@ void lim_mesh_depth_begin(const struct lim_mesh *mesh, struct lim_mesh_active *a
                             c = near_point_of(mesh, corners[2]);
 
     set_depth(active, &a, &b, &c, y);
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_enter(active);
 }
 
 /* Twice the size on the screen of a triangle of a fan. */
@@ -135,37 +138,6 @@ LIM_RARE void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struc
     set_depth(active, &a, &b, &c, y);
 }
 
-/* Pixels x0 <= x < x1, one at least. Indices run from -n up to 0, so that one number leads to both lines. */
-static LIM_INLINE void mesh_fill(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active, int32_t x0,
-                                 int32_t x1)
-{
-    const uint32_t step_q16 = active->depth->x_q16;
-    uint32_t at_q16 = active->depth->at_q16 + (uint32_t)x0 * step_q16;
-    const uint16_t colour = active->colour;
-    int32_t at = x0 - x1;
-
-    pixels += x1;
-    depths += x1;
-    do {
-        const uint32_t nearness = at_q16 >> 16;
-        if (nearness > depths[at]) {
-            depths[at] = (uint16_t)nearness;
-            pixels[at] = colour;
-        }
-        at_q16 += step_q16;
-    } while (++at < 0);
-}
-
-/* The line of depths is cleared where it is wanted first. */
-static uint16_t *depths_of(struct lim_mesh *mesh, uint16_t y)
-{
-    struct lim_mesh_depths *const depths = mesh->depths;
-
-    if (depths->y != y) lim_fill_line(depths->line, mesh->pass->target.w_px, 0);
-    depths->y = y;
-    return depths->line;
-}
-
 void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y)
 {
     take_depth(active, y);
@@ -174,37 +146,20 @@ void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y)
 /* Both edges have changed places. */
 void lim_mesh_depth_replace(struct lim_mesh_active *active)
 {
-    active->edges[active->depth->goes_on ^ 1] = active->lower;
+    lim_mesh_edges_replace(&active->edges, active->depth->goes_on ^ 1, &active->lower);
     active->depth->turn = active->bottom;
 }
 
-static LIM_IF_CALLED void paint_deep_textured(struct lim_mesh *mesh, const struct lim_mesh_line *line,
-                                              struct lim_mesh_active *active, const struct lim_mesh_depth_span *span)
-{
-    const uint8_t *const w_bits = &active->look->level.w_bits;
-
-    if (*w_bits == LIM_MESH_UNSET) lim_mesh_texture_set(mesh, active);
-    if (*w_bits == LIM_MESH_UNSET_CLIPPED) lim_mesh_texture_set_clipped(mesh, active);
-    if (*w_bits == LIM_MESH_COLOUR)
-        mesh_fill(line->pixels, span->depths, active, span->x0, span->x1);
-    else
-        lim_mesh_texture_paint_deep(mesh, line, active, span);
-}
-
 static LIM_INLINE void paint_deep(struct lim_mesh *mesh, const struct lim_mesh_line *line,
-                                  struct lim_mesh_active *active, int32_t left, int32_t right, int32_t x0, int32_t x1)
+                                  struct lim_mesh_active *active, int32_t x0, int32_t x1)
 {
-    if (LIM_HAS_TEXTURE)
-        paint_deep_textured(mesh, line, active,
-                            &(struct lim_mesh_depth_span){depths_of(mesh, line->y), left, right, x0, x1});
-    else
-        mesh_fill(line->pixels, depths_of(mesh, line->y), active, x0, x1);
+    lim_mesh_depth_fill(line->pixels, lim_mesh_depths(mesh, line->y), active, active->depth->at_q16, x0, x1);
 }
 
 void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                           int32_t left, int32_t right)
 {
-    paint_deep(mesh, line, active, left, right, left, right);
+    paint_deep(mesh, line, active, left, right);
 }
 
 void lim_mesh_depth_paint_part(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
@@ -212,7 +167,7 @@ void lim_mesh_depth_paint_part(struct lim_mesh *mesh, const struct lim_mesh_line
 {
     const int32_t x0 = left > line->x0 ? left : line->x0, x1 = right < line->x1 ? right : line->x1;
 
-    if (x0 < x1) paint_deep(mesh, line, active, left, right, x0, x1);
+    if (x0 < x1) paint_deep(mesh, line, active, x0, x1);
 }
 
 #endif

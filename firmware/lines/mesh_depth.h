@@ -9,6 +9,8 @@
 
 #include "lines/mesh_clip.h"
 #include "meshes.h"
+#include "pixels/fill.h"
+#include "view/pass.h"
 
 #if LIM_HAS_MESH_DEPTH
 
@@ -25,7 +27,40 @@ void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *lin
 void lim_mesh_depth_paint_part(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                                int32_t left, int32_t right);
 
-/* On to line y, the next one; its edges are stepped already. false: that has none of it. */
+/* The line of depths, which is cleared where it is wanted first. */
+static inline uint16_t *lim_mesh_depths(struct lim_mesh *mesh, uint16_t y)
+{
+    struct lim_mesh_depths *const depths = mesh->depths;
+
+    if (depths->y != y) lim_fill_line(depths->line, mesh->pass->target.w_px, 0);
+    depths->y = y;
+    return depths->line;
+}
+
+/* Pixels x0 <= x < x1, one at least, of one colour, of a line whose first has a nearness. Indices run from -n up to 0,
+ * so that one number leads to both lines. */
+static LIM_INLINE void lim_mesh_depth_fill(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active,
+                                           uint32_t at_q16, int32_t x0, int32_t x1)
+{
+    const uint32_t step_q16 = active->depth->x_q16;
+    const uint16_t colour = active->colour;
+    int32_t at = x0 - x1;
+
+    at_q16 += (uint32_t)x0 * step_q16;
+    pixels += x1;
+    depths += x1;
+    do {
+        const uint32_t nearness = at_q16 >> 16;
+        if (nearness > depths[at]) {
+            depths[at] = (uint16_t)nearness;
+            pixels[at] = colour;
+        }
+        at_q16 += step_q16;
+    } while (++at < 0);
+}
+
+/* Unless LIM_HAS_TEXTURE, as are the next three: then what has depth is shown like everything (mesh_texture_depth.c).
+ * On to line y, the next one; its edges are stepped already. false: that has none of it. */
 static inline bool lim_mesh_depth_next(struct lim_mesh_active *active, uint16_t y)
 {
     active->depth->at_q16 += active->depth->y_q16;

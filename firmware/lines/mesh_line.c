@@ -35,6 +35,15 @@ static inline void note_deep(struct lim_stats *stats, const struct lim_mesh_line
     stats->pixels_deep += stats->pixels_painted - before;
 }
 
+static inline void note_painted(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
+                                int32_t x0, int32_t x1)
+{
+    if (LIM_HAS_TEXTURE && lim_mesh_is_deep(mesh, lim_mesh_number(active)))
+        note_deep(lim_stats_of(mesh->pass), line, active, x0, x1);
+    else
+        mesh_note(lim_stats_of(mesh->pass), line, active, x0, x1);
+}
+
 /* Replaces the edge that ends. */
 static LIM_INLINE void replace_edge(const struct lim_mesh *mesh, struct lim_mesh_active *active, uint16_t y)
 {
@@ -42,7 +51,7 @@ static LIM_INLINE void replace_edge(const struct lim_mesh *mesh, struct lim_mesh
         lim_mesh_turn(mesh, active, y);
         return;
     }
-    active->edges[active->goes_on] = active->lower;
+    lim_mesh_edges_replace(&active->edges, active->goes_on, &active->lower);
     active->turn = active->bottom;
 }
 
@@ -60,7 +69,7 @@ static LIM_RARE void turn_deep(const struct lim_mesh *mesh, struct lim_mesh_acti
 static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t below,
                              struct lim_mesh_active *active, int32_t x0, int32_t x1, bool inside)
 {
-    if (LIM_HAS_MESH_DEPTH && active->goes_on == LIM_MESH_DEEP) {
+    if (LIM_HAS_MESH_DEPTH && !LIM_HAS_TEXTURE && active->goes_on == LIM_MESH_DEEP) {
         if (LIM_HAS_STATS) note_deep(lim_stats_of(mesh->pass), line, active, x1, x0);
         if (x1 < x0 && inside) lim_mesh_depth_paint(mesh, line, active, x1, x0);
         if (x1 < x0 && !inside) lim_mesh_depth_paint_part(mesh, line, active, x1, x0);
@@ -73,41 +82,33 @@ static LIM_INLINE bool go_on(struct lim_mesh *mesh, const struct lim_mesh_line *
     return true;
 }
 
-/* Texels that advance evenly are painted without delay. */
-static LIM_INLINE void paint_look(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
-                                  uint16_t below, struct lim_mesh_active *active, int32_t left, int32_t right,
-                                  int32_t x0, int32_t x1)
+/* What it shows knows how: texels that advance evenly are painted without delay. */
+static LIM_INLINE void paint_look(struct lim_mesh *mesh, uint16_t *pixels, uint16_t below,
+                                  struct lim_mesh_active *active, const struct lim_mesh_ends *ends, int32_t x0,
+                                  int32_t x1, bool inside)
 {
-    const struct lim_texture_level *const level = &active->look->level;
+    const struct lim_mesh_look *const look = active->look;
 
-    if (level->w_bits >= LIM_MESH_LEVELS) {
-        if (level->w_bits == LIM_MESH_UNSET) lim_mesh_texture_set(mesh, active);
-        if (level->w_bits == LIM_MESH_COLOUR) {
-            lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
-            return;
-        }
-        if (level->w_bits >= LIM_MESH_LEVELS) {
-            lim_mesh_texture_paint(mesh, line, active, left, right, x0, x1);
-            return;
-        }
-    }
-    lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0),
-                     lim_texture_even_place(&active->look->even, level->step, x0, below), level);
+    if (!inside) lim_mesh_texture_reach(mesh, ends->left, ends->right);
+    look->show(pixels + x1, (uint_fast16_t)(x1 - x0), lim_texture_even_place(&look->even, look->level.step, x0, below),
+               &look->level);
 }
 
 /* Paints a triangle, and puts it on the next line. false: that has none of it. */
 static LIM_INLINE bool paint_one(struct lim_mesh *mesh, const struct lim_mesh_line *line, uint16_t *pixels,
                                  uint16_t below, struct lim_mesh_active *active, bool inside)
 {
-    const int32_t left = lim_mesh_edge_next(&active->edges[0]), right = lim_mesh_edge_next(&active->edges[1]);
+    const struct lim_mesh_ends ends = lim_mesh_edges_next(&active->edges);
+    const int32_t left = ends.left, right = ends.right;
     const int32_t x0 = inside || left > line->x0 ? left : line->x0, x1 = inside || right < line->x1 ? right : line->x1;
 
     if (LIM_HAS_TEXTURE && x0 < x1)
-        paint_look(mesh, line, pixels, below, active, left, right, x0, x1);
+        paint_look(mesh, pixels, below, active, &ends, x0, x1, inside);
     else if (x0 < x1)
         lim_fill_inline(pixels, (int_fast16_t)x0, (int_fast16_t)x1, active->colour);
-    if (LIM_HAS_STATS && x0 < x1) mesh_note(lim_stats_of(mesh->pass), line, active, x0, x1);
-    return active->turn != below || go_on(mesh, line, below, active, left, right, inside);
+    if (LIM_HAS_STATS && x0 < x1) note_painted(mesh, line, active, x0, x1);
+    if (LIM_UNLIKELY(active->turn == below)) return go_on(mesh, line, below, active, left, right, inside);
+    return true;
 }
 
 /* Paints those that are farther than a rank. Returns the link that leads to the next one. */
@@ -119,7 +120,7 @@ static LIM_INLINE struct lim_mesh_active **paint_farther(struct lim_mesh *mesh, 
         if (paint_one(mesh, line, pixels, below, active, inside))
             link = &active->next;
         else
-            lim_mesh_give_back(mesh, link);
+            lim_mesh_give_back(mesh, link, active);
     return link;
 }
 
@@ -130,9 +131,9 @@ static LIM_INLINE struct lim_mesh_active **paint_merged(struct lim_mesh *mesh, c
 {
     struct lim_mesh_active **link = &mesh->first, *begins = mesh->begins;
 
-    while (begins != &mesh->end) {
+    for (lim_mesh_rank rank; (rank = begins->rank) != LIM_MESH_NEAREST;) {
+        link = paint_farther(mesh, line, pixels, below, inside, link, rank);
         struct lim_mesh_active *const next = begins->next;
-        link = paint_farther(mesh, line, pixels, below, inside, link, begins->rank);
         begins->next = *link;
         *link = begins;
         begins = next;
@@ -177,7 +178,7 @@ static LIM_INLINE void paint_all(struct lim_mesh *mesh, const struct lim_mesh_li
             link = &active->next;
         } else {
             if (active == &mesh->end) return;
-            lim_mesh_give_back(mesh, link);
+            lim_mesh_give_back(mesh, link, active);
         }
     }
 }
@@ -188,13 +189,18 @@ static LIM_ALONE void paint_inside(struct lim_mesh *mesh, const struct lim_mesh_
     paint_all(mesh, line, true);
 }
 
+static LIM_ALONE void paint_across(struct lim_mesh *mesh, const struct lim_mesh_line *line)
+{
+    paint_all(mesh, line, false);
+}
+
 void lim_mesh_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line)
 {
-    if (!LIM_OPTIMISE_SIZE && LIM_SUB_BITS > 0 && mesh->extent == LIM_VIEW_INSIDE &&
-        !lim_target_is_round(&mesh->pass->target))
+    if (LIM_HAS_TEXTURE) mesh->looks->line = line;
+    if (lim_mesh_is_inside(mesh))
         paint_inside(mesh, line);
     else
-        paint_all(mesh, line, false);
+        paint_across(mesh, line);
     if (LIM_HAS_STATS && lim_mesh_has_textures(mesh)) note_used(mesh);
 }
 

@@ -6,10 +6,12 @@
  * too large, texels advance in perspective. */
 #include "lines/mesh_texture.h"
 
+#include "colour.h"
 #include "lines/mesh_clip.h"
+#include "lines/mesh_even.h"
 #include "lines/mesh_way.h"
 #include "math/fixed.h"
-#include "pixels/fill.h"
+#include "pixels/texture.h"
 #include "pixels/texture_triangle.h"
 #include "view/perspective.h"
 
@@ -62,11 +64,12 @@ void lim_mesh_texture_frame(struct lim_mesh *mesh)
     const uint16_t count = lim_texture_count(mesh->pass->scene);
     uint8_t shift;
 
-    mesh->looks->first = count ? LIM_MESH_UNSET : LIM_MESH_COLOUR;
+    mesh->looks->even = 0;
     if (!count) return;
     const uint32_t unit_q24 = recip_q24(unit_of(&mesh->pass->view), &shift);
     const int_fast16_t bits = (int_fast16_t)perspective_nearness_bits(mesh->near_shift) + 2 + 2 - LIM_TEXTURE_OFF_BITS;
 
+    mesh->looks->taken.sizes = 0;
     mesh->looks->mask = lim_triangle_texture_mask(count);
     mesh->looks->even = count > LIM_TRIANGLE_TEXTURES ? 0 : scaled(unit_q24 / 2 * 3 / 2, bits + shift - 54);
 }
@@ -87,18 +90,6 @@ static LIM_INLINE bool is_far(const struct lim_mesh *mesh, const struct lim_mesh
     const uint32_t from = (uint32_t)corners[3] >> LIM_TRIANGLE_TEXTURE_BITS;
 
     return nearness * (7 - (from & 3)) <= mesh->looks->even >> (31 - (from >> 2));
-}
-
-/* What the corners b and c are nearer than a. */
-struct nears {
-    int32_t a, b, c;
-};
-
-static LIM_INLINE struct nears nears_of(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners)
-{
-    const int32_t a = mesh->nearness[corners[0]];
-
-    return (struct nears){a, mesh->nearness[corners[1]] - a, mesh->nearness[corners[2]] - a};
 }
 
 /* A triangle's ways from its corner a, on the screen and in its texture. */
@@ -131,90 +122,26 @@ static inline uint32_t mesh_area_of(const struct shape *shape)
 
 /* The level whose texels are as large as pixels, by the areas of both: of each level four times as many go on a pixel
  * as of the one before, and half as much is nearer to the one before. */
-static LIM_INLINE uint_fast8_t level_of(const LIM_FLASH struct lim_texture *texture, const struct shape *shape)
+static LIM_INLINE uint_fast8_t level_of(const struct lim_mesh_picture *taken,
+                                        const LIM_FLASH struct lim_texture *texture, const struct shape *shape)
 {
-    const int_fast16_t down = 2 * (int_fast16_t)(texture->place_bits - texture->w_bits - LIM_SUB_BITS) + 1 +
-                              shape->halved[0] + shape->halved[1];
-    const uint_fast8_t last = (uint_fast8_t)(texture->levels - 1);
     uint32_t own = nearly_abs(mesh_way_cross(shape->b_place, shape->c_place)), area = mesh_area_of(shape);
     uint_fast8_t level = 0;
 
-    if (down >= 0)
-        own >>= LIM_HAS_LIMBS && down > 31 ? 31 : down;
-    else
-        area >>= -down;
-    for (; own >= area && level < last; own >>= 2)
-        level++;
-    return level;
-}
-
-/* How far apart the errors of a coordinate are, of which those along the sides are products of what place and nearness
- * gain there, over four times the nearness; and twice the middle between them. */
-static uint32_t spread_of(int32_t b, int32_t c, const struct nears *nears, int32_t *twice_middle)
-{
-    const int32_t sides[3] = {b * nears->b, c * nears->c, (c - b) * (nears->c - nears->b)};
-    int32_t least = 0, most = 0;
-
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        if (sides[i] < least) least = sides[i];
-        if (sides[i] > most) most = sides[i];
+    if (LIM_HAS_LIMBS) {
+        const int_fast16_t down = taken->own_down - taken->area_down + shape->halved[0] + shape->halved[1];
+        own >>= down > 31 ? 31 : down > 0 ? down : 0;
+        area >>= down < 0 ? -down : 0;
+    } else {
+        own >>= taken->own_down;
+        area >>= taken->area_down;
     }
-    *twice_middle = least + most;
-    return (uint32_t)most - (uint32_t)least;
-}
-
-static inline int32_t least_of(const struct nears *nears)
-{
-    const int32_t b = nears->b < 0 ? nears->b : 0;
-
-    return nears->a + (nears->c < b ? nears->c : b);
-}
-
-/* Where an even way is not right enough between the corners it may be if it leaves them, by the middle of all errors:
- * *moved is that, packed. false: not even so. `bits`: of is_even(). */
-static LIM_ALONE bool is_even_beside(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners, int_fast16_t bits,
-                                     uint32_t *moved)
-{
-    const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs, *const a = &uvs[corners[0]];
-    const LIM_FLASH struct lim_uv *const b = &uvs[corners[1]], *const c = &uvs[corners[2]];
-    const struct nears nears = nears_of(mesh, corners);
-    const int32_t least = least_of(&nears);
-    const mesh_way place = mesh_way_to_place(a);
-    const uint32_t most =
-        mesh_way_most(mesh_way_between(place, mesh_way_to_place(b)), mesh_way_between(place, mesh_way_to_place(c)));
-    int32_t middle[2];
-
-    if ((most | nearly_abs(nears.b) | nearly_abs(nears.c)) >> 14 || bits < 0) return false;
-    const uint32_t u = spread_of(b->u - a->u, c->u - a->u, &nears, &middle[0]),
-                   v = spread_of(b->v - a->v, c->v - a->v, &nears, &middle[1]);
-    if ((u > v ? u : v) + 2 * most > (uint32_t)least << (bits < 12 ? bits + 3 : 15)) return false;
-    const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
-    const int32_t width = (int32_t)1 << (16 - texture->place_bits);
-    *moved =
-        lim_texture_packed((uint32_t)(middle[0] / (8 * least) * width), (uint32_t)(middle[1] / (8 * least) * width));
-    return true;
-}
-
-/* What nearness and a coordinate gain along each side, multiplied: nearly_abs() of them, OR'ed. */
-static inline uint32_t mesh_sides_of(const struct nears *nears, int32_t b, int32_t c)
-{
-    return nearly_abs(nears->b * b) | nearly_abs(nears->c * c) | nearly_abs((nears->c - nears->b) * (c - b));
-}
-
-/* Whether even texels are right enough between the corners. Nearness is rounded at both ends of a side. */
-static LIM_INLINE bool is_even(const struct nears *nears, mesh_way b, mesh_way c, int_fast16_t bits)
-{
-    const uint32_t sides =
-        mesh_sides_of(nears, mesh_way_x(b), mesh_way_x(c)) | mesh_sides_of(nears, mesh_way_y(b), mesh_way_y(c));
-
-    return bits >= 0 && sides + 2 * mesh_way_most(b, c) < (uint32_t)least_of(nears) << (bits < 13 ? bits + 2 : 15);
-}
-
-/* Steps are rounded: whether that leads less than half of what even texels may be off, over pixels that are not more
- * than four times the longest way. */
-static LIM_INLINE bool is_within_reach(uint32_t most_half, int_fast16_t bits)
-{
-    return bits >= 0 && !((most_half + 1) * 8 >> LIM_SUB_BITS >> (bits < 31 ? bits : 31));
+    if (LIM_UNLIKELY(own >= area)) {
+        const uint_fast8_t last = (uint_fast8_t)(texture->levels - 1);
+        for (; own >= area && level < last; own >>= 2)
+            level++;
+    }
+    return level;
 }
 
 static LIM_INLINE uint32_t most_half_of(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners)
@@ -223,21 +150,41 @@ static LIM_INLINE uint32_t most_half_of(const struct lim_mesh *mesh, const LIM_F
                               lim_packed_load(&mesh->points[corners[2]]));
 }
 
-/* By what both coordinates and nearness gain along the sides. *moved as of is_even_beside(). */
-static LIM_ALONE bool is_even_as_seen(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners, uint32_t *moved)
+/* By what both coordinates and nearness gain along the sides. *moved: of is_even(). */
+static LIM_INLINE bool is_even_as_seen(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners,
+                                       const LIM_FLASH struct lim_texture *texture, const struct shape *shape,
+                                       uint_fast8_t level, uint32_t *moved)
 {
-    const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
     const struct nears nears = nears_of(mesh, corners);
     const uint32_t most_half = most_half_of(mesh, corners);
-    struct shape shape;
+    const int_fast16_t finer_bits = (int_fast16_t)level - texture->w_bits - LIM_TEXTURE_OFF_BITS;
 
-    if (!LIM_HAS_LIMBS && most_half >> 13) return false;
-    set_shape(mesh, corners, &shape);
-    const int_fast16_t finer_bits = (int_fast16_t)level_of(texture, &shape) - texture->w_bits - LIM_TEXTURE_OFF_BITS;
-    if (!is_within_reach(most_half, finer_bits + 16)) return false;
-    return is_even(&nears, shape.b_place, shape.c_place, finer_bits + texture->place_bits) ||
-           is_even_beside(mesh, corners, finer_bits + texture->place_bits, moved);
+    if ((!LIM_HAS_LIMBS && most_half >> 13) || !is_within_reach(most_half, finer_bits + 16)) return false;
+    return is_even(&nears, shape->b_place, shape->c_place, finer_bits + texture->place_bits,
+                   (uint_fast8_t)(16 - texture->place_bits), moved);
 }
+
+/* a b / 2^32, rounded to nearest, halves up. */
+#if LIM_DUAL_MULTIPLY && defined(__arm__)
+
+static inline int32_t mul_high_rounded_s32(int32_t a, int32_t b)
+{
+    int32_t high;
+
+    __asm__("smmulr %0, %1, %2" : "=r"(high) : "r"(a), "r"(b));
+    return high;
+}
+
+#else
+
+static inline int32_t mul_high_rounded_s32(int32_t a, int32_t b)
+{
+    const int64_t product = (int64_t)a * b;
+
+    return (int32_t)(product >> 32) + (int32_t)((uint32_t)product >> 31);
+}
+
+#endif
 
 /* What places are in 2^-16 of the width, rounded to nearest, of numerators over the area. A reciprocal of 15 bits is
  * made shorter by `down`. */
@@ -247,16 +194,15 @@ static LIM_INLINE int32_t place_step(int32_t numerator, int32_t recip_q31, int_f
     const int32_t shorter_q31 = recip_q31 >> down;
     if (!LIM_LONG_MULTIPLY)
         return (mul_s32_top(numerator, (int32_t)((uint32_t)shorter_q31 << down)) + ((int32_t)1 << (down - 1))) >> down;
-    const int64_t product = (int64_t)numerator * shorter_q31;
-    return (int32_t)(product >> 32) + (int32_t)((uint32_t)product >> 31);
+    return mul_high_rounded_s32(numerator, shorter_q31);
 }
 
-static LIM_INLINE void set_steps(const LIM_FLASH struct lim_texture *texture, const struct shape *shape,
+static LIM_INLINE void set_steps(const struct lim_mesh_picture *taken, const struct shape *shape,
                                  struct mesh_numerators *steps)
 {
     uint8_t zeros;
     const int32_t recip_q31 = lim_texture_reciprocal(mesh_area_of(shape), &zeros);
-    const int_fast16_t down = (int_fast16_t)(14 + texture->place_bits - LIM_SUB_BITS - zeros);
+    const int_fast16_t down = (int_fast16_t)(taken->step_down - zeros);
 
     if (down <= 0) { /* nowhere wider than a pixel: one texel */
         *steps = (struct mesh_numerators){0, 0, 0, 0};
@@ -278,23 +224,21 @@ static inline uint32_t place_at_zero(uint32_t corner_q16, int32_t step_x, int32_
 }
 
 /* Below the place's width v does not wrap: it would carry over to u. */
-static LIM_INLINE void mesh_set_even(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners,
-                                     const LIM_FLASH struct lim_texture *texture, struct lim_mesh_look *look)
+static LIM_INLINE void mesh_set_even(const struct lim_mesh_picture *taken, const struct shape *shape, uint32_t moved,
+                                     struct lim_mesh_look *look)
 {
-    const uint_fast8_t up = (uint_fast8_t)(16 - texture->place_bits);
+    const uint_fast8_t up = taken->up;
+    const int32_t x = lim_packed_x(shape->a) + LIM_ORIGIN_PX * LIM_SUB,
+                  y = lim_packed_y(shape->a) + (LIM_ORIGIN_PX + 1) * LIM_SUB;
     struct mesh_numerators steps;
-    struct shape shape;
 
-    set_shape(mesh, corners, &shape);
-    lim_texels_take_level(mesh->pass->scene, texture, level_of(texture, &shape), &look->level);
-    set_steps(texture, &shape, &steps);
-    const int32_t x = lim_packed_x(shape.a) + LIM_ORIGIN_PX * LIM_SUB,
-                  y = lim_packed_y(shape.a) + (LIM_ORIGIN_PX + 1) * LIM_SUB;
+    set_steps(taken, shape, &steps);
     look->level.step = lim_texture_packed((uint32_t)steps.ux, (uint32_t)steps.vx);
     look->even.y = lim_texture_packed((uint32_t)steps.uy, (uint32_t)steps.vy);
-    look->even.place += lim_texture_packed(
-        place_at_zero((uint32_t)mesh_way_x(shape.a_place) << up, steps.ux, steps.uy, x, y),
-        place_at_zero((uint16_t)((uint32_t)mesh_way_y(shape.a_place) << up), steps.vx, steps.vy, x, y));
+    look->even.place =
+        moved + lim_texture_packed(
+                    place_at_zero((uint32_t)mesh_way_x(shape->a_place) << up, steps.ux, steps.uy, x, y),
+                    place_at_zero((uint16_t)((uint32_t)mesh_way_y(shape->a_place) << up), steps.vx, steps.vy, x, y));
 }
 
 /* NULL: no room. */
@@ -348,38 +292,138 @@ static LIM_RARE void set_perspective(struct lim_mesh *mesh, struct lim_mesh_acti
 {
     union lim_mesh_gradients *const own = new_gradients(mesh);
 
+    active->look->show = lim_mesh_show_perspective;
     active->look->level.w_bits = LIM_MESH_PERSPECTIVE;
     active->look->gradients = own;
     if (own) make_gradients(mesh, active, &own->gradients);
 }
 
-/* One texel is a colour. */
+/* One texel is a colour; or there are no textures, and it has one. */
 static LIM_RARE void set_plain(const struct lim_mesh *mesh, struct lim_mesh_active *active,
                                const LIM_FLASH struct lim_texture *texture)
 {
     const struct lim_scene *const scene = mesh->pass->scene;
 
+    active->look->show = lim_mesh_show_colour;
     active->look->level.w_bits = LIM_MESH_COLOUR;
-    active->colour = scene->palettes[texture->palette + scene->texels[(uint32_t)texture->texels * LIM_TEXEL_BLOCK]];
+    active->colour =
+        lim_mesh_has_textures(mesh)
+            ? scene->palettes[texture->palette + scene->texels[(uint32_t)texture->texels * LIM_TEXEL_BLOCK]]
+            : lim_memory_colour((uint16_t)lim_mesh_triangle(mesh, lim_mesh_number(active))[3]);
+}
+
+/* Another picture than the last one. */
+static LIM_ALONE void take_picture(struct lim_mesh *mesh, const LIM_FLASH struct lim_texture *texture)
+{
+    struct lim_mesh_picture *const taken = &mesh->looks->taken;
+    const int_fast16_t down = 2 * (int_fast16_t)(texture->place_bits - texture->w_bits - LIM_SUB_BITS) + 1;
+
+    taken->sizes = lim_texture_sizes(texture);
+    taken->texels = texture->texels;
+    taken->own_down = (uint8_t)(down > 0 ? down : 0);
+    taken->area_down = (uint8_t)(down < 0 ? -down : 0);
+    taken->up = (uint8_t)(16 - texture->place_bits);
+    taken->step_down = (int8_t)(14 + texture->place_bits - LIM_SUB_BITS);
+    lim_texels_take_level(mesh->pass->scene, texture, 0, &taken->level);
+}
+
+static LIM_INLINE const struct lim_mesh_picture *picture_of(struct lim_mesh *mesh,
+                                                            const LIM_FLASH struct lim_texture *texture)
+{
+    const struct lim_mesh_picture *const taken = &mesh->looks->taken;
+
+    if (LIM_UNLIKELY(taken->sizes != lim_texture_sizes(texture) || taken->texels != texture->texels))
+        take_picture(mesh, texture);
+    return taken;
+}
+
+/* A level that is not the first one: from that on. */
+static LIM_INLINE void make_smaller(struct lim_texture_level *level, uint_fast8_t number)
+{
+    uint32_t size = level->rows_mask + (UINT32_C(1) << level->w_bits);
+    const LIM_FLASH uint8_t *texels = level->texels;
+
+    level->w_bits = (uint8_t)(level->w_bits - number);
+    do {
+        texels += size;
+        size >>= 2;
+    } while (--number);
+    level->texels = texels;
+    level->rows_mask = size - (UINT32_C(1) << level->w_bits);
+}
+
+/* A level, and how texels advance. */
+static LIM_INLINE void take_even(const struct lim_mesh *mesh, const LIM_FLASH struct lim_texture *texture,
+                                 const struct shape *shape, uint_fast8_t level, uint32_t moved,
+                                 struct lim_mesh_look *look)
+{
+    const struct lim_mesh_picture *const taken = &mesh->looks->taken;
+
+    look->level.rows_mask = taken->level.rows_mask;
+    look->level.texels = taken->level.texels;
+    look->level.w_bits = taken->level.w_bits;
+    look->level.palette = mesh->pass->scene->palettes + texture->palette;
+    if (LIM_UNLIKELY(level > 0)) make_smaller(&look->level, level);
+    look->show = LIM_OPTIMISE_SIZE ? lim_texels_paint_any : lim_texels_painters[look->level.w_bits];
+    mesh_set_even(taken, shape, moved, look);
+}
+
+/* false: it has no level. */
+static LIM_ALONE bool mesh_set_near(struct lim_mesh *mesh, struct lim_mesh_active *active)
+{
+    const LIM_FLASH lim_index *const corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
+    const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
+    uint32_t moved = 0;
+    struct shape shape;
+
+    if (!lim_mesh_has_textures(mesh) || !texture->w_bits) {
+        set_plain(mesh, active, texture);
+        return false;
+    }
+    set_shape(mesh, corners, &shape);
+    const uint_fast8_t level = level_of(picture_of(mesh, texture), texture, &shape);
+    if (!is_even_as_seen(mesh, corners, texture, &shape, level, &moved)) {
+        set_perspective(mesh, active);
+        return false;
+    }
+    take_even(mesh, texture, &shape, level, moved, active->look);
+    return true;
+}
+
+static LIM_INLINE bool mesh_set_look(struct lim_mesh *mesh, struct lim_mesh_active *active)
+{
+    const LIM_FLASH lim_index *const corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
+    struct shape shape;
+
+    if (LIM_UNLIKELY(!is_far(mesh, active, corners))) return mesh_set_near(mesh, active);
+    const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
+    const struct lim_mesh_picture *const taken = picture_of(mesh, texture);
+    set_shape(mesh, corners, &shape);
+    take_even(mesh, texture, &shape, level_of(taken, texture, &shape), 0, active->look);
+    return true;
 }
 
 LIM_ALONE void lim_mesh_texture_set(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
-    const LIM_FLASH lim_index *const corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
-    const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
+    (void)mesh_set_look(mesh, active);
+}
 
-    active->look->even.place = 0;
-    if (LIM_UNLIKELY(!is_far(mesh, active, corners))) {
-        if (!texture->w_bits) {
-            set_plain(mesh, active, texture);
-            return;
-        }
-        if (!is_even_as_seen(mesh, corners, &active->look->even.place)) {
-            set_perspective(mesh, active);
-            return;
-        }
+void lim_mesh_show_first(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)
+{
+    struct lim_mesh_active *const active = lim_mesh_of_level(level);
+    struct lim_mesh *const mesh = active->look->mesh;
+
+    (void)place;
+    if (LIM_UNLIKELY(!mesh_set_look(mesh, active))) {
+        lim_mesh_show_other(end, n, level);
+        return;
     }
-    mesh_set_even(mesh, corners, texture, active->look);
+    const struct lim_mesh_run run = lim_mesh_run(mesh, end, n);
+    const uint32_t first = lim_texture_even_place(&active->look->even, level->step, run.x0, run.line->y + 1);
+    if (LIM_OPTIMISE_SIZE)
+        lim_texels_paint_any(end, n, first, level);
+    else
+        lim_texels_painters[level->w_bits](end, n, first, level);
 }
 
 LIM_RARE void lim_mesh_texture_set_clipped(struct lim_mesh *mesh, struct lim_mesh_active *active)
@@ -387,7 +431,7 @@ LIM_RARE void lim_mesh_texture_set_clipped(struct lim_mesh *mesh, struct lim_mes
     const LIM_FLASH struct lim_texture *const texture =
         texture_of(mesh, lim_mesh_triangle(mesh, lim_mesh_number(active)));
 
-    if (texture->w_bits)
+    if (lim_mesh_has_textures(mesh) && texture->w_bits)
         set_perspective(mesh, active);
     else
         set_plain(mesh, active, texture);
@@ -399,22 +443,6 @@ struct lim_gradients *lim_mesh_texture_gradients(struct lim_mesh *mesh, struct l
     if (active->look->gradients) return &active->look->gradients->gradients;
     make_gradients(mesh, active, made);
     return made;
-}
-
-void lim_mesh_texture_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
-                            int32_t left, int32_t right, int32_t x0, int32_t x1)
-{
-    struct lim_gradients made;
-
-    if (active->look->level.w_bits == LIM_MESH_UNSET_CLIPPED) lim_mesh_texture_set_clipped(mesh, active);
-    if (active->look->level.w_bits == LIM_MESH_COLOUR) {
-        lim_fill(line->pixels, (uint16_t)x0, (uint16_t)(x1 - x0), active->colour);
-        return;
-    }
-    const struct lim_textured_span span = {mesh->pass->texturing, lim_mesh_texture_gradients(mesh, active, &made),
-                                           (int16_t)line->y, (int16_t)left, (int16_t)right};
-
-    lim_texture_fill(&span, line->pixels, (uint16_t)x0, (uint16_t)x1, lim_stats_of(mesh->pass));
 }
 
 #endif

@@ -7,6 +7,7 @@
 #define LIM_MESH_TEXTURE_H
 
 #include "meshes.h"
+#include "pixels/texels.h"
 #include "view/pass.h"
 
 /* Room for one triangle's gradients, in entries of the pool. */
@@ -35,21 +36,54 @@ static inline uint16_t lim_mesh_texture_used(const struct lim_mesh *mesh)
     return (uint16_t)(mesh->unused + (mesh->looks->whole_size - mesh->pool_size));
 }
 
+/* Shown before any other pixels of an entry: those find out what it shows. Functions that are there if LIM_HAS_TEXTURE.
+ */
+void lim_mesh_show_first(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+void lim_mesh_show_first_clipped(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+
+/* What has depth shows pixels where it is the nearest. There if LIM_HAS_MESH_DEPTH, too. */
+void lim_mesh_show_deep(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+
 /* Of an entry that begins: what has no pixels needs no more than that. */
-static inline void lim_mesh_texture_begin(const struct lim_mesh *mesh, struct lim_mesh_active *active)
+static inline void lim_mesh_texture_begin(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
-    active->look->level.w_bits = mesh->looks->first;
+    active->look->show = lim_mesh_show_first;
+    active->look->mesh = mesh;
 }
 
-static inline void lim_mesh_texture_begin_clipped(const struct lim_mesh *mesh, struct lim_mesh_active *active)
+static inline void lim_mesh_texture_begin_clipped(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
-    active->look->level.w_bits = mesh->looks->first == LIM_MESH_UNSET ? LIM_MESH_UNSET_CLIPPED : LIM_MESH_COLOUR;
+    active->look->show = lim_mesh_show_first_clipped;
+    active->look->mesh = mesh;
+    active->look->level.w_bits = LIM_MESH_UNSET_CLIPPED;
+}
+
+/* Of an entry that begins, and has got a plane of nearness. */
+static inline void lim_mesh_texture_deepen(struct lim_mesh_active *active)
+{
+    active->depth->mesh = active->look->mesh;
+    active->look->show = lim_mesh_show_deep;
+}
+
+/* Where an entry's pixels would reach to, if the line did not end. */
+static inline void lim_mesh_texture_reach(struct lim_mesh *mesh, int32_t left, int32_t right)
+{
+    mesh->looks->left = (int16_t)left;
+    mesh->looks->right = (int16_t)right;
+}
+
+/* Of an entry that was never used: it holds no gradients. Whoever had some is left without. */
+static inline void lim_mesh_texture_enter(struct lim_mesh_active *active)
+{
+    active->look->level.w_bits = LIM_MESH_UNSET;
 }
 
 /* Of an entry that is given back. */
-static inline void lim_mesh_texture_leave(struct lim_mesh *mesh, const struct lim_mesh_active *active)
+static inline void lim_mesh_texture_leave(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
-    if (active->look->level.w_bits != LIM_MESH_PERSPECTIVE || !active->look->gradients) return;
+    if (active->look->level.w_bits != LIM_MESH_PERSPECTIVE) return;
+    active->look->level.w_bits = LIM_MESH_UNSET;
+    if (!active->look->gradients) return;
     active->look->gradients->next = mesh->looks->free;
     mesh->looks->free = active->look->gradients;
 }
@@ -63,17 +97,38 @@ void lim_mesh_texture_frame(struct lim_mesh *mesh);
 void lim_mesh_texture_set(struct lim_mesh *mesh, struct lim_mesh_active *active);
 void lim_mesh_texture_set_clipped(struct lim_mesh *mesh, struct lim_mesh_active *active);
 
-/* Pixels x0 <= x < x1 of one in perspective, or clipped, which reaches from left to right. */
-void lim_mesh_texture_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
-                            int32_t left, int32_t right, int32_t x0, int32_t x1);
+/* The entry whose level that is. */
+static inline struct lim_mesh_active *lim_mesh_of_level(const struct lim_texture_level *level)
+{
+    const size_t at_b = offsetof(struct lim_mesh_active, look) + offsetof(struct lim_mesh_look, level);
 
-/* The same of what has depth, evenly or not, where it is the nearest. There if LIM_HAS_MESH_DEPTH, too. */
-struct lim_mesh_depth_span {
-    uint16_t *depths; /* of the line */
-    int32_t left, right, x0, x1;
+    return (struct lim_mesh_active *)(void *)((uintptr_t)level - at_b);
+}
+
+/* Pixels x0 <= x < x1 of the line that is painted. */
+struct lim_mesh_run {
+    const struct lim_mesh_line *line;
+    int32_t x0, x1;
 };
-void lim_mesh_texture_paint_deep(struct lim_mesh *mesh, const struct lim_mesh_line *line,
-                                 struct lim_mesh_active *active, const struct lim_mesh_depth_span *deep);
+
+static inline struct lim_mesh_run lim_mesh_run(const struct lim_mesh *mesh, const uint16_t *end, uint_fast16_t n)
+{
+    const struct lim_mesh_line *const line = mesh->looks->line;
+    const int32_t x1 = (int32_t)(end - line->pixels);
+
+    return (struct lim_mesh_run){line, x1 - (int32_t)n, x1};
+}
+
+/* A line of one in perspective. */
+struct lim_textured_span lim_mesh_span(const struct lim_mesh *mesh, const struct lim_mesh_run *run,
+                                       struct lim_gradients *gradients);
+
+/* What has no level, once that is known. */
+void lim_mesh_show_other(uint16_t *end, uint_fast16_t n, const struct lim_texture_level *level);
+
+/* How entries of one colour, and those in perspective, paint themselves. */
+void lim_mesh_show_colour(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+void lim_mesh_show_perspective(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
 
 /* Gradients of one in perspective: its own, or those that `made` has room for. */
 struct lim_gradients *lim_mesh_texture_gradients(struct lim_mesh *mesh, struct lim_mesh_active *active,

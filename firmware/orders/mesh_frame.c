@@ -66,7 +66,7 @@ void lim_mesh_init(struct lim_mesh *mesh, void *mem, size_t mem_b)
     mesh->links = lim_mem_cut(&at, scene->polygon_count * sizeof *mesh->links);
     mesh->tops = lim_mem_cut(&at, pass->target.h_px * sizeof *mesh->tops);
     mesh->nearness = lim_mem_cut(&at, scene->vertex_count * sizeof *mesh->nearness);
-    mesh->end = (struct lim_mesh_active){.rank = (lim_mesh_rank)-1}; /* and no texels */
+    mesh->end = (struct lim_mesh_active){.rank = LIM_MESH_NEAREST}; /* and no texels */
     lim_view_init(&pass->view, pass->target.w_px, pass->target.h_px, NULL);
 }
 
@@ -209,10 +209,16 @@ static LIM_ALONE void link_inside(struct lim_mesh *mesh)
     link_all(mesh, LIM_VIEW_INSIDE);
 }
 
+static void clear_tops(lim_index *top, const lim_index *end)
+{
+    LIM_UNROLLED(8)
+    while (top < end)
+        *top++ = LIM_NO_INDEX;
+}
+
 static void link_triangles(struct lim_mesh *mesh)
 {
-    for (uint_fast16_t y = 0; y < mesh->pass->target.h_px; y++)
-        mesh->tops[y] = LIM_NO_INDEX;
+    clear_tops(mesh->tops, mesh->tops + mesh->pass->target.h_px);
     mesh->nearest = 0;
     if (LIM_HAS_STATS) lim_stats_of(mesh->pass)->records += mesh->pass->scene->polygon_count;
     if (mesh->extent == LIM_VIEW_INSIDE && !LIM_OPTIMISE_SIZE)
@@ -243,10 +249,12 @@ static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y, uint16_t background
 {
     struct lim_pass *pass = mesh->pass;
     const struct lim_target *target = &pass->target;
-    struct lim_mesh_line line = {target->lend(target->ctx, y), 0, target->w_px, y};
+    uint16_t *const pixels = target->lend(target->ctx, y);
+    uint16_t x0 = 0, x1 = target->w_px;
 
-    if (!line.pixels) return LIM_ERR_TARGET;
-    if (LIM_HAS_ROUND && lim_target_is_round(target)) lim_target_visible(target, y, &line.x0, &line.x1);
+    if (!pixels) return LIM_ERR_TARGET;
+    if (LIM_HAS_ROUND && lim_target_is_round(target)) lim_target_visible(target, y, &x0, &x1);
+    const struct lim_mesh_line line = {pixels, x0, x1, y};
     mesh_clean(pass, &line, background);
     const bool is_crowded = mesh->crowd.first != LIM_NO_INDEX;
     lim_index left = mesh->tops[y];
@@ -255,8 +263,8 @@ static int mesh_draw_line(struct lim_mesh *mesh, uint16_t y, uint16_t background
         lim_mesh_paint_crowded(mesh, &line, left);
     else if (!has_none(mesh))
         lim_mesh_paint(mesh, &line);
-    lim_overlay_line(pass, line.pixels, y, line.x0, line.x1);
-    return target->done(target->ctx, y, line.x0, (uint16_t)(line.x1 - line.x0));
+    lim_overlay_line(pass, pixels, y, x0, x1);
+    return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
 }
 
 /* Which triangles have depth is a matter of how near the eye is. */

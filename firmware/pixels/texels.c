@@ -8,12 +8,12 @@
 
 #if LIM_OPTIMISE_SIZE
 
-void lim_texels_paint_any(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)
+void lim_texels_paint_any(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)
 {
     const LIM_FLASH uint8_t *const texels = level->texels;
     const LIM_FLASH uint16_t *const palette = level->palette;
     const uint32_t w_bits = level->w_bits, rows_mask = level->rows_mask >> w_bits, columns = 16 - w_bits;
-    uint16_t *const end = to + n;
+    uint16_t *to = end - n;
 
     do {
         const uint32_t row = (uint32_t)(uint16_t)place >> columns & rows_mask;
@@ -25,9 +25,9 @@ void lim_texels_paint_any(uint16_t *to, uint_fast16_t n, uint32_t place, const s
 #else
 
 #define SIZED(w_bits)                                                                                                  \
-    static void paint_##w_bits(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)   \
+    static void paint_##w_bits(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)  \
     {                                                                                                                  \
-        lim_texels_paint_sized(to, n, place, level, w_bits);                                                           \
+        lim_texels_paint_sized(end, n, place, level, w_bits);                                                          \
     }
 
 SIZED(0)

@@ -25,25 +25,13 @@ static LIM_INLINE uint_fast16_t lim_texel_at(uint32_t place, uint32_t rows_mask,
     to[k] = palette[texels[lim_texel_at(place, rows_mask, w_bits)]];                                                   \
     place += step
 
-/* Up to so many pixels a jump past those that are too many would take longer than to count them. */
-enum { LIM_TEXELS_FEW = 4 };
-
-/* n pixels, one at least. Eight at a time, with a jump past those that are too many. */
-static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uint32_t place,
-                                              const struct lim_texture_level *level, unsigned w_bits)
+/* n pixels, from `to` to the one before `end`: eight at a time, with a jump past those that are too many. */
+static LIM_INLINE void texels_paint_long(uint16_t *to, const uint16_t *end, uint_fast16_t n, uint32_t place,
+                                         const LIM_FLASH uint8_t *texels, const LIM_FLASH uint16_t *palette,
+                                         uint32_t rows_mask, uint32_t step, unsigned w_bits)
 {
-    const LIM_FLASH uint8_t *const texels = level->texels;
-    const LIM_FLASH uint16_t *const palette = level->palette;
-    const uint32_t rows_mask = level->rows_mask, step = level->step;
-    uint16_t *const end = to + n;
-
-    if (n <= LIM_TEXELS_FEW) {
-        do {
-            LIM_TEXEL_NEXT(0);
-        } while (++to != end);
-        return;
-    }
     const uint_fast16_t skipped = (0u - n) & 7;
+
     to -= skipped;
     // clang-format off
     switch (skipped) {
@@ -62,9 +50,69 @@ static LIM_INLINE void lim_texels_paint_sized(uint16_t *to, uint_fast16_t n, uin
     // clang-format on
 }
 
+/* Where stores reach no memory before an address, what lies before `end` is counted from eight pixels farther back. */
+#if defined(__ARM_ARCH_6M__)
+
+enum { LIM_TEXELS_BACK = 8 };
+
+static inline uint16_t *texels_back(uint16_t *end)
+{
+    end -= LIM_TEXELS_BACK;
+    __asm__("" : "+r"(end)); /* else the compiler would count from `end` all the same */
+    return end;
+}
+
+#else
+
+enum { LIM_TEXELS_BACK = 0 };
+
+static inline uint16_t *texels_back(uint16_t *end)
+{
+    return end;
+}
+
+#endif
+
+/* What is told that the return address is lost keeps it on the stack: one instruction then restores registers and
+ * returns, instead of two. */
+#if defined(__thumb2__)
+#define LIM_TEXELS_RETURN() __asm__ volatile("" : : : "lr")
+#else
+#define LIM_TEXELS_RETURN() ((void)0)
+#endif
+
+/* As lim_texels_painter has it. Up to eight pixels, as most are, without a loop. That n may be 0 spares the jump a
+ * subtraction. */
+static LIM_INLINE void lim_texels_paint_sized(uint16_t *end, uint_fast16_t n, uint32_t place,
+                                              const struct lim_texture_level *level, unsigned w_bits)
+{
+    const LIM_FLASH uint8_t *const texels = level->texels;
+    const LIM_FLASH uint16_t *const palette = level->palette;
+    const uint32_t rows_mask = level->rows_mask, step = level->step;
+    uint16_t *const to = texels_back(end);
+
+    end = to + LIM_TEXELS_BACK;
+    LIM_TEXELS_RETURN();
+    // clang-format off
+    switch (n) {
+    default: texels_paint_long(end - n, end, n, place, texels, palette, rows_mask, step, w_bits);
+             return;
+    case 0: /* fall through */
+    case 8: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 8); /* fall through */
+    case 7: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 7); /* fall through */
+    case 6: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 6); /* fall through */
+    case 5: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 5); /* fall through */
+    case 4: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 4); /* fall through */
+    case 3: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 3); /* fall through */
+    case 2: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 2); /* fall through */
+    case 1: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 1);
+    }
+    // clang-format on
+}
+
 /* What paints a level: a function for each width, or, where small code is asked for, one for all. */
 extern lim_texels_painter *const LIM_FLASH lim_texels_painters[11];
-void lim_texels_paint_any(uint16_t *to, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level);
+lim_texels_painter lim_texels_paint_any;
 
 /* A level of a texture, but for its step and number. */
 static LIM_INLINE void lim_texels_take_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture,
@@ -80,16 +128,8 @@ static LIM_INLINE void lim_texels_take_level(const struct lim_scene *scene, cons
     level->texels = texels;
     level->w_bits = (uint8_t)w_bits;
     level->rows_mask = size - (UINT32_C(1) << w_bits);
-    level->paint = LIM_OPTIMISE_SIZE ? lim_texels_paint_any : lim_texels_painters[w_bits];
 }
 
 #endif
-
-/* n pixels of it. */
-static inline void lim_texels_paint(uint16_t *to, uint_fast16_t n, uint32_t place,
-                                    const struct lim_texture_level *level)
-{
-    level->paint(to, n, place, level);
-}
 
 #endif

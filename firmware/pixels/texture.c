@@ -314,7 +314,7 @@ static bool set_even(const struct lim_texturing *texturing, const struct seen *s
     out->even.y = lim_texture_packed((uint32_t)step_y[0], (uint32_t)step_y[1]);
     out->even.place = (place[0] << 16 | (uint16_t)place[1]) - out->level.step * (uint32_t)around->x -
                       out->even.y * (uint32_t)around->y;
-    lim_texture_set_level(texturing->scene, out->texture, level, &out->level);
+    lim_texture_set_level(texturing->scene, level, out);
     return true;
 }
 

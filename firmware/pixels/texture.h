@@ -78,7 +78,7 @@ static inline void lim_texture_fill(const struct lim_textured_span *span, uint16
     const struct lim_gradients *const gradients = span->gradients;
 
     if (gradients->is_even) {
-        lim_texels_paint(pixels + x0, (uint_fast16_t)(x1 - x0),
+        gradients->paint(pixels + x1, (uint_fast16_t)(x1 - x0),
                          lim_texture_even_place(&gradients->even, gradients->level.step, x0, span->y),
                          &gradients->level);
         return;

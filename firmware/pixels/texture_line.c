@@ -208,7 +208,8 @@ static LIM_IN_EACH_CALLER int32_t fill_until(struct lim_texture_line *line, uint
     const int32_t until = lim_texture_lesser(end, x1);
 
     line->gradients->level.step = line->walk.step;
-    lim_texels_paint(pixels + x, (uint_fast16_t)(until - x), lim_texture_place(line, x), &line->gradients->level);
+    line->gradients->paint(pixels + until, (uint_fast16_t)(until - x), lim_texture_place(line, x),
+                           &line->gradients->level);
     return until;
 }
 

@@ -66,11 +66,13 @@ void lim_texture_settle(const struct lim_texturing *texturing, const struct arou
     from_corner(texturing, &planes->uv[1]);
 }
 
-void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture, uint8_t number,
-                           struct lim_texture_level *level)
+void lim_texture_set_level(const struct lim_scene *scene, uint8_t number, struct lim_gradients *gradients)
 {
-    lim_texels_take_level(scene, texture, number, level);
+    struct lim_texture_level *const level = &gradients->level;
+
+    lim_texels_take_level(scene, gradients->texture, number, level);
     level->number = number;
+    gradients->paint = LIM_OPTIMISE_SIZE ? lim_texels_paint_any : lim_texels_painters[level->w_bits];
 }
 
 /* The least depth whose log2 is that, as lim_texture_level_q4() has it. */
@@ -101,7 +103,7 @@ void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients 
 
     planes->level_depth = from;
     planes->level_depths = (number ? texture_depth_of(to_q4) : UINT32_MAX) - from;
-    lim_texture_set_level(scene, gradients->texture, number, &gradients->level);
+    lim_texture_set_level(scene, number, gradients);
 }
 
 #endif

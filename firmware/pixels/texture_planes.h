@@ -145,9 +145,8 @@ static LIM_IN_EACH_CALLER uint32_t lim_texture_pace(const struct lim_gradients *
     return (uint32_t)(even_bits < most ? 2 * even_bits + 3 : 2 * most);
 }
 
-/* lim_texels_take_level() in a function of its own; and of a polygon's that of a depth, with all that have it. */
-void lim_texture_set_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture, uint8_t number,
-                           struct lim_texture_level *level);
+/* A level of a polygon's texture, which is set; and that of a depth, with all depths that have it. */
+void lim_texture_set_level(const struct lim_scene *scene, uint8_t number, struct lim_gradients *gradients);
 void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients *gradients, uint32_t depth);
 
 enum { MIDDLE_OF_LEVEL_Q4 = 8 };
