@@ -27,8 +27,7 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
     leaf->lists = lim_mem_cut(&at, leaf->list_count * sizeof *leaf->lists);
 }
 
-/* What faces the eye ------------------------------------------------------------------------------------------------
- */
+/* What faces the eye ----------------------------------------------------------------------------------------------- */
 
 /* What CLIP leaves of a record. */
 static const struct lim_clip_polygon *
@@ -131,8 +130,7 @@ static inline bool triangle_shows(const struct lim_view *view, lim_packed a, lim
            has_centre(leaf_least(ax, bx, cx), leaf_most(ax, bx, cx), view->width.px, inside);
 }
 
-/* Nearness of its corners -------------------------------------------------------------------------------------------
- */
+/* Nearness of its corners ------------------------------------------------------------------------------------------ */
 
 /* 2^17 / 3; the sum is 3 * 2^15 at most. */
 static inline uint32_t mean_of_three(uint32_t sum)

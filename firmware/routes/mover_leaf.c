@@ -31,8 +31,7 @@ static void join(struct lim_route *route, lim_index run)
     lim_route_go_through_leaf(route, route->back_to_front ? list : (uint16_t)LIM_NONE);
 }
 
-/* Mesh leaves -------------------------------------------------------------------------------------------------------
- */
+/* Mesh leaves ------------------------------------------------------------------------------------------------------ */
 
 /* Along the static scene's axes. */
 struct span_q12 {

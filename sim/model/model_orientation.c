@@ -22,8 +22,7 @@ bool orientation_parse(int code, const char *text, struct orientation *out, stru
     return out->up != UP_BY_EVIDENCE || error_set(err, "--up %s: there are y and z", text);
 }
 
-/* Evidence -----------------------------------------------------------------------------------------------------------
- */
+/* Evidence --------------------------------------------------------------------------------------------------------- */
 
 static void box_of(const struct model *model, double least[3], double most[3])
 {
@@ -98,8 +97,7 @@ static bool is_z_up(const struct orientation *orientation, enum up_custom custom
     return true;
 }
 
-/* Turning ------------------------------------------------------------------------------------------------------------
- */
+/* Turning ---------------------------------------------------------------------------------------------------------- */
 
 /* By a quarter round x: z becomes y. */
 static void turn_point(double at_m[3])

@@ -93,8 +93,7 @@ static void angles_of_mirrored_vectors_are_mirrored(void **state)
     }
 }
 
-/* Degrees ------------------------------------------------------------------------------------------------------------
- */
+/* Degrees ---------------------------------------------------------------------------------------------------------- */
 
 static void degrees_are_rounded_to_nearest(void **state)
 {
@@ -124,8 +123,7 @@ static void degrees_are_those_of_compilers_with_short_doubles(void **state)
     }
 }
 
-/* Cameras ------------------------------------------------------------------------------------------------------------
- */
+/* Cameras ---------------------------------------------------------------------------------------------------------- */
 
 /* By camera.h's words. */
 static void view_direction(const struct lim_camera *camera, long double out[3])
@@ -259,8 +257,7 @@ static void cameras_are_those_of_the_simulator(void **state)
     assert_true(worst <= 5);
 }
 
-/* Orbits -------------------------------------------------------------------------------------------------------------
- */
+/* Orbits ----------------------------------------------------------------------------------------------------------- */
 
 static void an_orbit_is_where_it_should_be(void **state)
 {

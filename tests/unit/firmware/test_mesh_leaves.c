@@ -90,8 +90,7 @@ static struct lim_camera make(struct random *random, unsigned kind)
     return soup_camera(random, kind == 6 ? 30 : distance);
 }
 
-/* Against brute force -----------------------------------------------------------------------------------------------
- */
+/* Against brute force ---------------------------------------------------------------------------------------------- */
 
 static void by_every_order_the_nearest_middle_is_seen(void **state)
 {
@@ -126,8 +125,7 @@ static void by_every_order_the_nearest_middle_is_seen(void **state)
     }
 }
 
-/* The same picture --------------------------------------------------------------------------------------------------
- */
+/* The same picture ------------------------------------------------------------------------------------------------- */
 
 enum { W_PX = 60, H_PX = 45, LINE_B = 2 * (W_PX + 2), PICTURE_B = H_PX * LINE_B };
 
@@ -187,8 +185,7 @@ static void any_order_and_any_memory_show_the_same(void **state)
     }
 }
 
-/* What does not draw them -------------------------------------------------------------------------------------------
- */
+/* What does not draw them ------------------------------------------------------------------------------------------ */
 
 static void other_methods_refuse_them(void **state)
 {

@@ -111,8 +111,7 @@ static void draw_numbers(struct soup_view *view, const struct core *core, enum l
         soup.words[i * LIM_TRIANGLE_WORDS + 3] = kept[i];
 }
 
-/* Rays --------------------------------------------------------------------------------------------------------------
- */
+/* Rays ------------------------------------------------------------------------------------------------------------- */
 
 static double dot(const double a[3], const double b[3])
 {
@@ -338,8 +337,7 @@ static void from_as_far_away_as_words_say_texels_are_even(void **state)
     }
 }
 
-/* Levels ------------------------------------------------------------------------------------------------------------
- */
+/* Levels ----------------------------------------------------------------------------------------------------------- */
 
 static void compare_levels(const struct lim_camera *camera, const struct soup_view *shown,
                            const struct soup_view *numbers, struct tally *tally)
@@ -384,8 +382,7 @@ static void levels_are_as_fine_as_pixels(void **state)
         }
 }
 
-/* Memory, colours ---------------------------------------------------------------------------------------------------
- */
+/* Memory, colours -------------------------------------------------------------------------------------------------- */
 
 static uint64_t parts;
 

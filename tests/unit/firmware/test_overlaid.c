@@ -451,8 +451,7 @@ static void renderers_in_turns_have_it(void **state)
     take_turns(*state, (struct way){.method = LIM_NEAREST_FIRST, .delta = true});
 }
 
-/* A convex solid -----------------------------------------------------------------------------------------------------
- */
+/* A convex solid --------------------------------------------------------------------------------------------------- */
 
 struct solid {
     struct random *random;

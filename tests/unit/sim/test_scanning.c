@@ -25,8 +25,7 @@ static void send(struct emulated_port *port, const struct settings *settings)
     assert_int_equal(bus_write(&bus, settings->bytes, settings->n_b), 0);
 }
 
-/* Greys -------------------------------------------------------------------------------------------------------------
- */
+/* Greys ------------------------------------------------------------------------------------------------------------ */
 
 static struct emulated_solomon greys;
 
@@ -93,8 +92,7 @@ static void outputs_that_are_not_scanned_are_dark(void **state)
     }
 }
 
-/* Pages -------------------------------------------------------------------------------------------------------------
- */
+/* Pages ------------------------------------------------------------------------------------------------------------ */
 
 static struct emulated_pages pages;
 
@@ -187,8 +185,7 @@ static void small_glass_without_its_reference_stays_dark(void **state)
     assert_int_equal(pages.complaints, 0);
 }
 
-/* Colours -----------------------------------------------------------------------------------------------------------
- */
+/* Colours ---------------------------------------------------------------------------------------------------------- */
 
 static struct emulated_dcs lcd;
 
