@@ -46,7 +46,7 @@ struct lim_mesh_leaf {
     /* Where not all that face the eye have room at once: which of them are entries, from one place in the order of
      * drawing to before another. */
     bool is_partial;
-    uint64_t from, end;
+    lim_word_s64 from, end;
 };
 
 /* An instance as this frame has it. */

@@ -129,7 +129,7 @@ static uint16_t most_mover_corners(const struct lim *lim)
     return cells < most + taken ? (uint16_t)(cells - taken) : most;
 }
 
-static void lend_mesh_leaf(struct lim_movers *movers, void *mem, const struct lim_movers_limits *limits)
+static LIM_IF_CALLED void lend_mesh_leaf(struct lim_movers *movers, void *mem, const struct lim_movers_limits *limits)
 {
     const struct lim_limits most = {.leaf_vertices = limits->leaf_vertices, .leaf_polygons = limits->leaf_polygons};
 

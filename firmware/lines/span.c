@@ -178,26 +178,4 @@ bool lim_spans_shrink(struct lim_spans *spans)
     return smaller;
 }
 
-#if LIM_HAS_MESH_LEAVES
-static bool line_may_show(const struct lim_spans *spans, const struct lim_line *line, uint16_t x0, uint16_t x1)
-{
-    const struct lim_gap *gap = &line->gap;
-
-    if (LIM_HAS_ANTIALIAS && lim_spans_have_strips(spans)) return gap->x0 < x1 && gap->x1 > x0;
-    for (; gap; gap = lim_gap_after(spans, gap))
-        if (gap->x0 < x1 && gap->x1 > x0 && gap->x0 < gap->x1) return true;
-    return false;
-}
-
-bool lim_spans_may_show(const struct lim_spans *spans, const struct lim_rect *within)
-{
-    const struct lim_rect *open = &spans->open;
-    const uint16_t y1 = within->y1 < open->y1 ? within->y1 : open->y1;
-
-    for (uint16_t y = within->y0 > open->y0 ? within->y0 : open->y0; y < y1; y++)
-        if (line_may_show(spans, &spans->lines[y], within->x0, within->x1)) return true;
-    return false;
-}
-#endif
-
 #endif

@@ -55,9 +55,6 @@ LIM_MUST_CHECK bool lim_spans_close_filling(struct lim_spans *spans, int16_t y, 
 /* Draws `open` together around what is open. true: it became smaller than it was at the last call. */
 bool lim_spans_shrink(struct lim_spans *spans);
 
-/* Whether a pixel within may be open: antialiased, a pixel between open ones counts. */
-bool lim_spans_may_show(const struct lim_spans *spans, const struct lim_rect *within);
-
 static inline bool lim_line_is_closed(const struct lim_line *line)
 {
     return line->gap.x0 == line->gap.x1;

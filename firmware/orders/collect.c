@@ -313,6 +313,27 @@ static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const LIM_FL
            lim_collect_polygon(nearest, &polygon);
 }
 
+static bool line_may_show(const struct lim_spans *spans, const struct lim_line *line, uint16_t x0, uint16_t x1)
+{
+    const struct lim_gap *gap = &line->gap;
+
+    if (LIM_HAS_ANTIALIAS && lim_spans_have_strips(spans)) return gap->x0 < x1 && gap->x1 > x0;
+    for (; gap; gap = lim_gap_after(spans, gap))
+        if (gap->x0 < x1 && gap->x1 > x0 && gap->x0 < gap->x1) return true;
+    return false;
+}
+
+/* Whether a pixel within may be open: antialiased, a pixel between open ones counts. */
+static bool spans_may_show(const struct lim_spans *spans, const struct lim_rect *within)
+{
+    const struct lim_rect *open = &spans->open;
+    const uint16_t y1 = within->y1 < open->y1 ? within->y1 : open->y1;
+
+    for (uint16_t y = within->y0 > open->y0 ? within->y0 : open->y0; y < y1; y++)
+        if (line_may_show(spans, &spans->lines[y], within->x0, within->x1)) return true;
+    return false;
+}
+
 /* Whether all of the leaf lies behind what is closed: then its vertices need not be projected. */
 static bool is_hidden_leaf(const struct lim_nearest *nearest, const LIM_FLASH lim_index *run)
 {
@@ -321,7 +342,7 @@ static bool is_hidden_leaf(const struct lim_nearest *nearest, const LIM_FLASH li
     struct lim_rect rect;
 
     return !lim_nearest_retains_all(nearest) && lim_view_box_rect(&pass->view, &pass->scene->boxes[box], &rect) &&
-           !lim_spans_may_show(&nearest->spans, &rect);
+           !spans_may_show(&nearest->spans, &rect);
 }
 
 bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_index *run)

@@ -126,7 +126,7 @@ static bool cut_to(struct lim_corners *front, struct lim_corners *back, const st
         const int32_t *here = from->at_q12[k];
         const int64_t value = lim_corner_value(plane, here);
         const bool leaves = value_before > 0 && value < 0, crosses = leaves || (value_before < 0 && value > 0);
-        int32_t cross_q12[3];
+        int32_t cross_q12[3] = {0, 0, 0}; /* set where it is asked for, which compilers do not always see */
         if (crosses)
             lim_plane_cross(cross_q12, leaves ? before : here, leaves ? value_before : value, leaves ? here : before,
                             leaves ? value : value_before);

@@ -304,11 +304,11 @@ static LIM_ALONE bool list_inside(struct lim_mesh_leaf *leaf)
 }
 
 /* A place in the order of drawing. Of two that are as near as each other the first one of the run is on top. */
-static uint64_t place_of(const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record, uint16_t key)
+static int64_t place_of(const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record, uint16_t key)
 {
     const uint32_t at = (uint32_t)(record - seen->scene->polygons);
 
-    return (uint64_t)key << 32 | (seen->back_to_front ? UINT32_MAX - at : at);
+    return key * (INT64_C(1) << 32) + (seen->back_to_front ? UINT32_MAX - at : at);
 }
 
 enum { PLACE_BITS = 48 };
@@ -334,7 +334,7 @@ static LIM_RARE bool list_between(struct lim_mesh_leaf *leaf)
     for (const LIM_FLASH lim_index *record = leaf->run;; record += leaf_record_words(record[0])) {
         if (leaf_shows(leaf, record)) {
             const uint16_t mean = record_nearness(leaf, &leaf->seen, record).mean;
-            const uint64_t place = place_of(&leaf->seen, record, key_of(&leaf->seen, mean));
+            const int64_t place = place_of(&leaf->seen, record, key_of(&leaf->seen, mean));
             if (place >= leaf->from && place < leaf->end) {
                 if (leaf->used == leaf->size) return false;
                 add_entry_at(&leaf->entries[leaf->used++], &leaf->seen, record, mean);
@@ -372,7 +372,7 @@ static void list_first(struct lim_mesh_leaf *leaf)
 
     leaf->is_partial = false;
     leaf->from = 0;
-    leaf->end = UINT64_C(1) << PLACE_BITS;
+    leaf->end = INT64_C(1) << PLACE_BITS;
     if (!LIM_OPTIMISE_SIZE && leaf->extent == LIM_VIEW_INSIDE && !by_samples
             ? list_inside(leaf)
             : list_plain(leaf, leaf->extent, by_samples))
@@ -456,7 +456,7 @@ static uint16_t next_entry(struct lim_mesh_leaf *leaf)
 /* The next part of the order, twice as much of it. false: there is none. */
 static LIM_RARE bool go_to_next_part(struct lim_mesh_leaf *leaf)
 {
-    const uint64_t length = leaf->end - leaf->from, last = UINT64_C(1) << PLACE_BITS;
+    const int64_t length = leaf->end - leaf->from, last = INT64_C(1) << PLACE_BITS;
 
     if (!leaf->is_partial || leaf->end == last) return false;
     leaf->from = leaf->end;

@@ -166,7 +166,8 @@ static const struct lim_view *view_of(const struct lim_sorter *sorter, uint8_t *
     const bool is_newell = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target);
 
     *bits = is_newell ? 12 : 13;
-    return is_newell ? &sorter->pass->view : lim_movers_world(sorter->movers);
+    if (LIM_HAS_MOVERS && !is_newell) return lim_movers_world(sorter->movers);
+    return &sorter->pass->view;
 }
 
 /* Along z, in the scale in which entries are compared. */
