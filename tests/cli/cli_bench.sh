@@ -315,7 +315,7 @@ baseline_is_whole() {
                 key = cores[c] SUBSEP scenes[s] SUBSEP "128x64-framebuffer" SUBSEP (p ? "own" : "random") SUBSEP "frame"
                 if (!(key in seen)) bad = "no frame of " cores[c] ", " scenes[s] ", framebuffer"
             }
-            more = split("solid3648tex wuson solid3648 spider map01tex map01 teapot-smooth rooms-smooth teapottex roomstex movers", names, " ")
+            more = split("solid3648tex wuson solid3648 spider map01tex map01 teapot-smooth rooms-smooth teapottex roomstex movers furnished", names, " ")
             for (i = 1; i <= more; i++) for (c = 0; c < 2; c++) for (p = 0; p < 2; p++) {
                 key = (c ? "m4" : "m0plus") SUBSEP names[i] SUBSEP "240x240" SUBSEP (p ? "own" : "random") SUBSEP "frame"
                 if (!(key in seen)) bad = "no frame of " names[i]
