@@ -19,12 +19,6 @@ static inline lim_mesh_rank lim_mesh_rank_of(uint32_t nearness, lim_index triang
     return (lim_mesh_rank)nearness << 8 * sizeof(lim_index) | triangle;
 }
 
-/* Of a coordinate: a line, or a column, of the screen or beside it. */
-static inline int32_t lim_mesh_row_at(int32_t at)
-{
-    return lim_edge_row((lim_edge_sub)at) + LIM_ORIGIN_PX;
-}
-
 /* Whether a triangle has depth at each pixel. */
 static inline bool lim_mesh_is_deep(const struct lim_mesh *mesh, lim_index triangle)
 {

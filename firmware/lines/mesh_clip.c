@@ -15,11 +15,7 @@ bool lim_mesh_clip(const struct lim_mesh *mesh, lim_index triangle, struct lim_m
     const LIM_FLASH lim_index *corners = lim_mesh_triangle(mesh, triangle);
     struct lim_clip_polygon polygons[2];
 
-    polygons[0].n = 3;
-    for (uint_fast8_t k = 0; k < 3; k++) {
-        lim_view_transform(&pass->view, pass->scene, &pass->scene->vertices[corners[k]], &polygons[0].at[k]);
-        if (LIM_HAS_WIREFRAME) lim_view_hide_edge(&polygons[0].at[k], false);
-    }
+    lim_clip_load(&polygons[0], &pass->view, pass->scene, corners, 3);
     const struct lim_clip_polygon *clipped = lim_clip(polygons, pass->view.rows.near_qv);
     out->n = clipped->n;
     for (uint_fast8_t k = 0; k < clipped->n; k++) {

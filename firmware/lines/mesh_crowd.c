@@ -111,9 +111,9 @@ static int32_t bottom_of_triangle(const struct lim_mesh *mesh, lim_index triangl
 
     if (lim_mesh_is_cut(mesh, corners))
         return lim_mesh_clip(mesh, triangle, &clipped) ? clipped.shape.bottom : INT16_MIN;
-    return lim_mesh_row_at(lim_packed_most_y(lim_packed_load(&mesh->points[corners[0]]),
-                                             lim_packed_load(&mesh->points[corners[1]]),
-                                             lim_packed_load(&mesh->points[corners[2]])));
+    return lim_edge_pixel(lim_packed_most_y(lim_packed_load(&mesh->points[corners[0]]),
+                                            lim_packed_load(&mesh->points[corners[1]]),
+                                            lim_packed_load(&mesh->points[corners[2]])));
 }
 
 static void paint_part(struct lim_mesh *mesh, const struct lim_mesh_line *line)

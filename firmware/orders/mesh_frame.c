@@ -11,6 +11,7 @@
 #include "pixels/fill.h"
 #include "pixels/target_parts.h"
 #include "screen/edge.h"
+#include "screen/project.h"
 #include "view/packed.h"
 #include "view/pass.h"
 #include "view/view.h"
@@ -72,25 +73,11 @@ void lim_mesh_init(struct lim_mesh *mesh, void *mem, size_t mem_b)
 
 /* Triangles into their lines -------------------------------------------------------------------------------------- */
 
-static inline int32_t mesh_least_of(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t ab = a < b ? a : b;
-
-    return ab < c ? ab : c;
-}
-
-static inline int32_t mesh_most_of(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t ab = a > b ? a : b;
-
-    return ab > c ? ab : c;
-}
-
 /* Lines that a triangle may have, on the screen or not. */
 static inline struct lim_span_extent lines_of(lim_packed a, lim_packed b, lim_packed c)
 {
-    const struct lim_span_extent lines = {(int16_t)lim_mesh_row_at(lim_packed_least_y(a, b, c)),
-                                          (int16_t)lim_mesh_row_at(lim_packed_most_y(a, b, c))};
+    const struct lim_span_extent lines = {(int16_t)lim_edge_pixel(lim_packed_least_y(a, b, c)),
+                                          (int16_t)lim_edge_pixel(lim_packed_most_y(a, b, c))};
     return lines;
 }
 
@@ -127,20 +114,9 @@ static LIM_INLINE void link_inside_lines(struct lim_mesh *mesh, size_t triangle,
     if (first != end) link_at(mesh, triangle, first + LIM_ORIGIN_PX);
 }
 
-/* Where a vertex lies outside of the screen, as VIEW says it: by its point, whose pixels begin there, or by its code.
- */
 static uint_fast8_t mesh_codes(const struct lim_mesh *mesh, lim_index vertex)
 {
-    const struct lim_point at = mesh->points[vertex];
-
-    if (!mesh->nearness[vertex]) return (uint_fast8_t)at.x;
-    const int32_t x = lim_mesh_row_at(at.x), y = lim_mesh_row_at(at.y);
-    return (uint_fast8_t)((x <= 0                         ? LIM_VIEW_LEFT
-                           : x >= mesh->pass->target.w_px ? LIM_VIEW_RIGHT
-                                                          : 0) |
-                          (y <= 0                         ? LIM_VIEW_TOP
-                           : y >= mesh->pass->target.h_px ? LIM_VIEW_BOTTOM
-                                                          : 0));
+    return lim_project_codes(&mesh->pass->view, mesh->points[vertex], mesh->nearness[vertex]);
 }
 
 /* Most of what needs to be clipped is behind the eye, or beside the screen. */
@@ -164,8 +140,8 @@ static LIM_RARE void link_clipped(struct lim_mesh *mesh, lim_index triangle)
 /* To the left or right of the screen. */
 static inline bool mesh_is_beside(const struct lim_mesh *mesh, lim_packed a, lim_packed b, lim_packed c)
 {
-    const int32_t left = lim_mesh_row_at(mesh_least_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c)));
-    const int32_t right = lim_mesh_row_at(mesh_most_of(lim_packed_x(a), lim_packed_x(b), lim_packed_x(c)));
+    const int32_t left = lim_edge_pixel(lim_packed_least_x(a, b, c));
+    const int32_t right = lim_edge_pixel(lim_packed_most_x(a, b, c));
 
     return right <= 0 || left >= mesh->pass->target.w_px;
 }

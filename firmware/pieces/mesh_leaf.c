@@ -33,34 +33,9 @@ void lim_mesh_leaf_lend(struct lim_mesh_leaf *leaf, void *mem, const struct lim_
 static const struct lim_clip_polygon *
 leaf_clip(struct lim_clip_polygon places[2], const struct lim_mesh_leaf_seen *seen, const LIM_FLASH lim_index *record)
 {
-    places[0].n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
-    for (uint_fast8_t k = 0; k < places[0].n; k++) {
-        lim_view_transform(seen->view, seen->scene, &seen->scene->vertices[record[LIM_POLYGON_HEAD_WORDS + k]],
-                           &places[0].at[k]);
-        if (LIM_HAS_WIREFRAME) lim_view_hide_edge(&places[0].at[k], false);
-    }
+    lim_clip_load(&places[0], seen->view, seen->scene, record + LIM_POLYGON_HEAD_WORDS,
+                  (uint8_t)(record[0] & LIM_POLYGON_COUNT));
     return lim_clip(places, seen->view->rows.near_qv);
-}
-
-/* Of a coordinate: a line, or a column, of the screen or beside it. */
-static inline int32_t leaf_row(int32_t at)
-{
-    return lim_edge_row((lim_edge_sub)at) + LIM_ORIGIN_PX;
-}
-
-/* Where a vertex lies outside of the screen, as VIEW says it: by its code, or by its point. */
-static uint_fast8_t leaf_codes(const struct lim_mesh_leaf *leaf, lim_index vertex)
-{
-    const struct lim_point at = leaf->points[vertex - leaf->first];
-
-    if (!leaf->nearness[vertex - leaf->first]) return (uint_fast8_t)at.x;
-    const int32_t x = leaf_row(at.x), y = leaf_row(at.y);
-    return (uint_fast8_t)((x <= 0                           ? LIM_VIEW_LEFT
-                           : x >= leaf->seen.view->width.px ? LIM_VIEW_RIGHT
-                                                            : 0) |
-                          (y <= 0                            ? LIM_VIEW_TOP
-                           : y >= leaf->seen.view->height.px ? LIM_VIEW_BOTTOM
-                                                             : 0));
 }
 
 /* Most of what would have to be clipped lies behind the eye, or beside the screen. */
@@ -68,8 +43,10 @@ static bool is_outside(const struct lim_mesh_leaf *leaf, const LIM_FLASH lim_ind
 {
     uint_fast8_t codes = LIM_VIEW_OUTSIDE;
 
-    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++)
-        codes &= leaf_codes(leaf, record[LIM_POLYGON_HEAD_WORDS + k]);
+    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
+        const lim_index vertex = (lim_index)(record[LIM_POLYGON_HEAD_WORDS + k] - leaf->first);
+        codes &= lim_project_codes(leaf->seen.view, leaf->points[vertex], leaf->nearness[vertex]);
+    }
     return codes;
 }
 
@@ -95,24 +72,10 @@ static LIM_RARE bool polygon_shows(const struct lim_mesh_leaf *leaf, const LIM_F
     return lim_mesh_leaf_corners(leaf, record, n, at) ? lim_edge_area(at, n) < 0 : clipped_shows(leaf, record);
 }
 
-static inline int32_t leaf_least(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t ab = a < b ? a : b;
-
-    return ab < c ? ab : c;
-}
-
-static inline int32_t leaf_most(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t ab = a > b ? a : b;
-
-    return ab > c ? ab : c;
-}
-
 /* Whether centres lie from one coordinate to before another, on the screen; `inside`: both are on it. */
 static inline bool has_centre(int32_t from, int32_t to, int32_t side_px, bool inside)
 {
-    const int32_t first = leaf_row(from), end = leaf_row(to);
+    const int32_t first = lim_edge_pixel(from), end = lim_edge_pixel(to);
 
     return first != end && (inside || (end > 0 && first < side_px));
 }
@@ -125,9 +88,8 @@ static inline bool triangle_shows(const struct lim_view *view, lim_packed a, lim
     const bool faces = inside && !LIM_WIDE ? lim_packed_turns(a, b, c) : lim_packed_turns_far(a, b, c);
 
     if (!faces || by_samples) return faces;
-    const int32_t ax = lim_packed_x(a), bx = lim_packed_x(b), cx = lim_packed_x(c);
     return has_centre(lim_packed_least_y(a, b, c), lim_packed_most_y(a, b, c), view->height.px, inside) &&
-           has_centre(leaf_least(ax, bx, cx), leaf_most(ax, bx, cx), view->width.px, inside);
+           has_centre(lim_packed_least_x(a, b, c), lim_packed_most_x(a, b, c), view->width.px, inside);
 }
 
 /* Nearness of its corners ------------------------------------------------------------------------------------------ */

@@ -7,6 +7,7 @@
 #define LIM_MOVER_PART_H
 
 #include "orders.h"
+#include "pieces/piece.h"
 #include "view/plane_unpacked.h"
 
 /* A plane as an object has it, so that products of 32 bits decide what lies on one side by far. */
@@ -35,9 +36,9 @@ static inline void lim_turned_add(struct lim_turned_range *range, const struct l
 /* The sides that they reach to, by far; 0: that is not certain. */
 static inline uint8_t lim_turned_sides(const struct lim_turned_range *range, const struct lim_turned_plane *plane)
 {
-    if (range->least_q14 > plane->front_q14) return 1; /* LIM_SIDE_FRONT */
-    if (range->most_q14 < plane->back_q14) return 2;
-    return range->least_q14 < plane->back_q14 && range->most_q14 > plane->front_q14 ? 3 : 0;
+    if (range->least_q14 > plane->front_q14) return LIM_SIDE_FRONT;
+    if (range->most_q14 < plane->back_q14) return LIM_SIDE_BACK;
+    return range->least_q14 < plane->back_q14 && range->most_q14 > plane->front_q14 ? LIM_SIDE_BOTH : 0;
 }
 
 /* The planes of a part, for its polygons. */

@@ -194,6 +194,12 @@ static inline lim_edge_sub lim_edge_row(lim_edge_sub y)
     return (lim_edge_sub)(y + (lim_edge_sub)(LIM_SUB - 1)) >> LIM_SUB_BITS;
 }
 
+/* Of a coordinate: the line, or the column, of the screen or beside it. */
+static inline int32_t lim_edge_pixel(int32_t at)
+{
+    return lim_edge_row((lim_edge_sub)at) + LIM_ORIGIN_PX;
+}
+
 /* What corners are compared by: themselves, because rows rise as they do, so where corners turn but twice their rows
  * do. 16 bits have no room for their sums. */
 static inline lim_edge_sub lim_edge_level(lim_edge_sub y)

@@ -66,9 +66,7 @@ static LIM_RARE bool clip_and_project(struct lim_screen_polygon *out, const stru
 {
     struct lim_clip_polygon polygons[2];
 
-    polygons[0].n = out->n;
-    for (uint_fast8_t k = 0; k < out->n; k++)
-        lim_view_transform(view, scene, &scene->vertices[corners[k]], &polygons[0].at[k]);
+    lim_clip_load(&polygons[0], view, scene, corners, out->n);
     if (LIM_HAS_WIREFRAME) hidden_to_corners(out, &polygons[0]);
     const struct lim_clip_polygon *clipped = lim_clip(polygons, view->rows.near_qv);
     if (LIM_HAS_WIREFRAME) hidden_from_corners(out, clipped);

@@ -30,6 +30,20 @@ static inline struct lim_span_extent lim_shape_lines(const struct lim_edge_shape
     return lines;
 }
 
+/* Where a vertex that lim_view_all() has seen lies outside of the screen: by its code, or by its point, whose pixels
+ * begin there. */
+static inline uint_fast8_t lim_project_codes(const struct lim_view *view, struct lim_point at, uint16_t nearness)
+{
+    if (!nearness) return (uint_fast8_t)at.x;
+    const int32_t x = lim_edge_pixel(at.x), y = lim_edge_pixel(at.y);
+    return (uint_fast8_t)((x <= 0                ? LIM_VIEW_LEFT
+                           : x >= view->width.px ? LIM_VIEW_RIGHT
+                                                 : 0) |
+                          (y <= 0                 ? LIM_VIEW_TOP
+                           : y >= view->height.px ? LIM_VIEW_BOTTOM
+                                                  : 0));
+}
+
 /* `record` is a polygon record (scene.h). false: nothing of it can be inside `open`. A polygon that is
  * projected once more is not counted again: `stats` is NULL. */
 bool lim_project(struct lim_screen_polygon *out, struct lim_view *view, const struct lim_scene *scene,

@@ -13,6 +13,10 @@ struct lim_clip_polygon {
     struct lim_view_point at[CLIP_MAX_VERTICES];
 };
 
+/* Corners of a scene in view space, all edges of which are drawn. */
+void lim_clip_load(struct lim_clip_polygon *polygon, const struct lim_view *view, const struct lim_scene *scene,
+                   const LIM_FLASH lim_index *corners, uint8_t n);
+
 /* polygons[0] is clipped, in two places by turns; returns the one with the result. Every point that is left has
  * near <= z and |x|, |y| <= 2z. */
 struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t near_qv);

@@ -147,6 +147,21 @@ static inline bool lim_packed_is_above(lim_packed a, lim_packed b)
 
 #endif
 
+/* The columns of the leftmost and the rightmost of three. */
+static inline int32_t lim_packed_least_x(lim_packed a, lim_packed b, lim_packed c)
+{
+    const int32_t ax = lim_packed_x(a), bx = lim_packed_x(b), cx = lim_packed_x(c), ab = ax < bx ? ax : bx;
+
+    return ab < cx ? ab : cx;
+}
+
+static inline int32_t lim_packed_most_x(lim_packed a, lim_packed b, lim_packed c)
+{
+    const int32_t ax = lim_packed_x(a), bx = lim_packed_x(b), cx = lim_packed_x(c), ab = ax > bx ? ax : bx;
+
+    return ab > cx ? ab : cx;
+}
+
 /* The way from one point to another. What does not fit 16 bits may be saturated to them. */
 struct lim_packed_way {
     int32_t dx, dy;
