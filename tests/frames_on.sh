@@ -12,6 +12,7 @@
 . sim/targets/targets.sh
 
 frames_options=     # of compile and render, beside: --wireframe, --method newell
+frames_compile=     # of what reads the model alone: --mesh-leaves all
 frames_path=        # of render alone: --fps 3
 frames_flags=       # of the target's compiler
 frames_every=8      # camera of the file
@@ -23,13 +24,15 @@ frames_expected() { # PROFILE: the scene as C, its cameras, and the host's hashe
     mkdir -p "$frames_dir"
     awk -v every="$frames_every" '!/^#/ && NF && n++ % every == 0' "$scene.cam" | head -n 8 >"$work/few.cam"
     # shellcheck disable=SC2086 # options are words
-    "$BUILD/limner" compile "$scene.$frames_suffix" --size "$size" --precision "$1" $frames_options \
+    "$BUILD/limner" compile "$scene.$frames_suffix" --size "$size" --precision "$1" $frames_options $frames_compile \
         -o "$frames_dir/model" >/dev/null || return 1
-    frames_drawn=$frames_dir/model.lim
-    [ "$frames_suffix" = obj ] || frames_drawn=$scene.$frames_suffix # what moves is no part of a .lim file
+    frames_drawn=$frames_dir/model.lim frames_read=
+    if [ "$frames_suffix" != obj ]; then # what moves is no part of a .lim file
+        frames_drawn=$scene.$frames_suffix frames_read=$frames_compile
+    fi
     # shellcheck disable=SC2086
     "$BUILD/limner" render "$frames_drawn" --camera "$work/few.cam" --size "$size" --precision "$1" \
-        $frames_options $frames_path --write-hashes "$frames_dir/expected" \
+        $frames_options $frames_read $frames_path --write-hashes "$frames_dir/expected" \
         --write-cameras "$frames_dir/cameras.h" || return 1
     cat "$frames_dir/expected"
     [ "$(cut -d ' ' -f 2 "$frames_dir/expected" | sort -u | wc -l)" -eq 8 ]
