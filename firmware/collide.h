@@ -56,7 +56,7 @@ struct lim_hit {
  * polygon is the first; of those equally far away it is any. It is exact for scenes compiled with a tolerance of up to
  * half a unit, as they are by default: what lies further on the wrong side of a plane is not looked for there.
  *
- * hit->at_q8 is no further along than the crossing, never behind the plane, and within 4 units of 2^-8 units of the
+ * hit->at_q8 is no further along than the crossing, never behind the plane, and at most 4/256 of a unit from the
  * crossing along each axis, or, where the way is so slant that this would be behind the plane, so much nearer that it
  * is not. */
 LIM_MUST_CHECK int lim_trace(const struct lim_solid *solid, const int32_t from_q8[3], const int32_t to_q8[3],
@@ -88,23 +88,26 @@ enum { LIM_SLIDES = 4 };
 LIM_MUST_CHECK int lim_slide(const struct lim_solid *solid, const int32_t half_q8[3], int32_t at_q8[3],
                              const int32_t way_q8[3], uint8_t flags);
 
+#define LIM_WALKER_WAY_MAX_Q8 (INT32_C(1) << 20) /* of a move, along x and z: below */
+#define LIM_GRAVITY_MAX_Q8 (INT32_C(1) << 16)
+
 /* Who walks: an upright box with a square base. */
 struct lim_walker {
     int32_t at_q8[3];   /* the middle of its base: where its feet are */
     int32_t radius_q8;  /* half of the base's side, 1..LIM_HALF_MAX_Q8 */
     int32_t height_q8;  /* 1..2 LIM_HALF_MAX_Q8; an eye belongs below it, by the distance of the near plane and more */
     int32_t step_q8;    /* how high a step it climbs, below height_q8; 0: none */
-    int32_t gravity_q8; /* by which its fall gets longer with each move, 0..2^16 */
+    int32_t gravity_q8; /* by which its fall gets longer with each move, 0..LIM_GRAVITY_MAX_Q8 */
     int32_t fall_q8;    /* how far it fell in the last move; 0 to begin with, or below to jump */
     bool stands;        /* on something that is no steeper than 45 degrees; false to begin with */
 };
 #define LIM_FALL_MAX_Q8 (INT32_C(1) << 20)
 
-/* A move of a walker, once a frame: a way on the level, |x|, |z| < 2^20, along which it slides along walls and climbs
- * steps; then it falls, or stays on the ground where that goes down by a step and no more. Its box moves as lim_sweep()
- * moves one, so it is never in a wall that it did not begin in. It climbs what is step_q8 high, or less, and nothing
- * that is more than 4 units higher. LIM_ERR_CAMERA: it is, or would get, out of range, or its sizes are; nothing has
- * moved then. */
+/* A move of a walker, once a frame: a way on the level, |x|, |z| < LIM_WALKER_WAY_MAX_Q8, along which it slides along
+ * walls and climbs steps; then it falls, or stays on the ground where that goes down by a step and no more. Its box
+ * moves as lim_sweep() moves one, so it is never in a wall that it did not begin in. It climbs what is step_q8 high, or
+ * less, and nothing that is more than 4 units higher. LIM_ERR_CAMERA: it is, or would get, out of range, or its sizes
+ * are; nothing has moved then. */
 LIM_MUST_CHECK int lim_walker_move(const struct lim_solid *solid, struct lim_walker *walker, int32_t x_q8,
                                    int32_t z_q8);
 

@@ -67,7 +67,7 @@ static bool target_is_usable(const struct lim_target *target)
 /* A leaf has no children, so where a tree has no forks it can only be the last node. */
 static inline bool ends_in_leaf(const struct lim_scene *scene)
 {
-    return LIM_HAS_LEAVES && scene->node_count && scene->nodes[scene->node_count - 1].split.plane == LIM_NO_INDEX;
+    return LIM_HAS_LEAVES && scene->node_count && lim_node_is_leaf(&scene->nodes[scene->node_count - 1]);
 }
 
 /* A tree without forks has as many levels as nodes; a set has none, and is for methods that sort, which want the planes

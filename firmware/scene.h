@@ -355,6 +355,11 @@ static inline uint16_t lim_record_edges_at(lim_index head)
     return lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE | LIM_POLYGON_ALPHA));
 }
 
+static inline bool lim_node_is_leaf(const LIM_FLASH struct lim_node *node)
+{
+    return LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
+}
+
 /* Whether a run that begins with this record is a mesh leaf's. */
 static inline bool lim_is_mesh_leaf(const LIM_FLASH lim_index *record)
 {

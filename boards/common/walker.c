@@ -67,9 +67,13 @@ static void float_on(struct walker *walker, int32_t x_q8, int32_t z_q8)
         go_through_walls(&walker->camera, x_q8, z_q8);
 }
 
+/* Who leaves the range of bodies, as by falling out of the scene, floats from then on. */
 static void go_on_foot(struct walker *walker, int32_t x_q8, int32_t z_q8)
 {
-    if (lim_walker_move(walker->body->solid, &walker->body->feet, x_q8, z_q8)) return;
+    if (lim_walker_move(walker->body->solid, &walker->body->feet, x_q8, z_q8)) {
+        walker->body->eye_q8 = 0;
+        return;
+    }
     for (uint_fast8_t i = 0; i < 3; i++)
         walker->camera.eye_q8[i] = walker->body->feet.at_q8[i] + (i == 1 ? walker->body->eye_q8 : 0);
 }

@@ -40,7 +40,7 @@ struct walker {
     bool walking;
 };
 
-/* What stops it, from the next walk on. */
+/* What stops it. Said before the first walk. */
 static inline void walker_set_solid(struct walker *walker, const struct lim_solid *solid)
 {
     if (BOARD_WALLS) walker->body->solid = solid;

@@ -37,7 +37,7 @@ static inline struct lim_mesh_active *lim_mesh_new_unused(struct lim_mesh *mesh)
 {
     struct lim_mesh_active *const active = &mesh->pool[mesh->unused++];
 
-    if (LIM_HAS_TEXTURE) lim_mesh_texture_enter(active);
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_unset(active);
     return active;
 }
 

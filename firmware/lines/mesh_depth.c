@@ -113,7 +113,7 @@ void lim_mesh_depth_begin(const struct lim_mesh *mesh, struct lim_mesh_active *a
                             c = near_point_of(mesh, corners[2]);
 
     set_depth(active, &a, &b, &c, y);
-    if (LIM_HAS_TEXTURE) lim_mesh_texture_enter(active);
+    if (LIM_HAS_TEXTURE) lim_mesh_texture_unset(active);
 }
 
 /* Twice the size on the screen of a triangle of a fan. */

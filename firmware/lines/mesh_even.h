@@ -62,7 +62,11 @@ static inline int32_t least_of(const struct nears *nears)
 
 /* Whether even texels are right enough between the corners; nearness is rounded at both ends of a side. Where an even
  * way is not, it may be if it leaves the corners, by the middle of all errors: *moved is that, packed. `bits`: a texel
- * of the level, in units of places, and of what it may be off. */
+ * of the level, in units of places, and of what it may be off.
+ *
+ * Between two corners places differ by less than 2^15, and nearness as well: products are below 2^30, and 2 most below
+ * 2^16. least << 15 is about 2^30, so the bound grows no more from there on. For the second test all have 14 bits, and
+ * spreads 31. */
 static LIM_INLINE bool is_even(const struct nears *nears, mesh_way b, mesh_way c, int_fast16_t bits, uint_fast8_t up,
                                uint32_t *moved)
 {

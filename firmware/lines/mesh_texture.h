@@ -72,8 +72,8 @@ static inline void lim_mesh_texture_reach(struct lim_mesh *mesh, int32_t left, i
     mesh->looks->right = (int16_t)right;
 }
 
-/* Of an entry that was never used: it holds no gradients. Whoever had some is left without. */
-static inline void lim_mesh_texture_enter(struct lim_mesh_active *active)
+/* It shows nothing yet, and holds no gradients: a new entry, or one that begins with depth. */
+static inline void lim_mesh_texture_unset(struct lim_mesh_active *active)
 {
     active->look->level.w_bits = LIM_MESH_UNSET;
 }

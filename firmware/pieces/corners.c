@@ -16,7 +16,7 @@ static bool is_of_mesh_leaf(const struct lim_sorter *sorter, uint16_t entry)
     const lim_index node = sorter->newell->polygons[entry].node;
 
     return sorter->list[entry].record != LIM_NO_INDEX && node != LIM_NO_INDEX &&
-           lim_entry_scene(sorter, entry)->nodes[node].split.plane == LIM_NO_INDEX &&
+           lim_node_is_leaf(&lim_entry_scene(sorter, entry)->nodes[node]) &&
            !(lim_entry_record(sorter, entry)[0] & LIM_POLYGON_PLANE);
 }
 

@@ -59,7 +59,7 @@ static void add_all(struct lim_sorter *sorter)
 {
     for (lim_index i = 0; i < sorter->pass->scene->node_count; i++) {
         const LIM_FLASH struct lim_node *node = &sorter->pass->scene->nodes[i];
-        const bool is_leaf = LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
+        const bool is_leaf = lim_node_is_leaf(node);
         const int32_t side = is_leaf ? 1 : lim_eye_side(lim_eye_of(sorter->pass), &node->split);
         const lim_index run = side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
         if (run != LIM_NO_INDEX) sorted_add_run(sorter, run, i, side > 0);

@@ -154,7 +154,7 @@ static bool add_by_tree(struct lim_sorter *sorter, struct lim_queue *queue, cons
 
 bool lim_mover_burst(struct lim_sorter *sorter, uint16_t entry, uint16_t *list)
 {
-    const uint16_t used = sorter->used, rest = sorter->list[entry].next;
+    const uint16_t used = sorter->used, cuts_used = sorter->newell->cuts_used, rest = sorter->list[entry].next;
     const uint16_t mover = lim_entry_owner(sorter, entry);
     const bool deforms = lim_deforms(&sorter->movers->instances[mover]);
     uint16_t head;
@@ -167,6 +167,7 @@ bool lim_mover_burst(struct lim_sorter *sorter, uint16_t entry, uint16_t *list)
 
     if (!has_room) {
         sorter->used = used;
+        sorter->newell->cuts_used = cuts_used;
         return false;
     }
     *(queue.last == LIM_NONE ? &head : &sorter->list[queue.last].next) = rest;

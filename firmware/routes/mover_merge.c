@@ -18,7 +18,7 @@ enum { NODES_MAX = 24 };
 static bool has_leaves(const struct lim_scene *object)
 {
     for (lim_index i = 0; LIM_HAS_LEAVES && i < object->node_count; i++)
-        if (lim_route_is_leaf(&object->nodes[i])) return true;
+        if (lim_node_is_leaf(&object->nodes[i])) return true;
     return false;
 }
 

@@ -28,7 +28,7 @@ static void route_enter(struct lim_route *route)
     uint16_t front = LIM_NONE, back = LIM_NONE;
 
     if (!node) return;
-    if (lim_route_is_leaf(node)) {
+    if (lim_node_is_leaf(node)) {
         lim_movers_enter_leaf(route, node->front_run);
         return;
     }

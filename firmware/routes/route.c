@@ -85,7 +85,7 @@ lim_index lim_route_next_alone(struct lim_route *route)
         next = LIM_NO_INDEX;
         if (lim_node_is_skipped(scene, node, route->shown, route->cull, depth, stats)) continue;
         if (LIM_HAS_STATS) stats->nodes++;
-        if (lim_route_is_leaf(node)) {
+        if (lim_node_is_leaf(node)) {
             run = node->front_run;
             route->node = self;
             route->side = 1;

@@ -20,11 +20,6 @@ lim_index lim_route_next_alone(struct lim_route *route);
 /* Steps. The node to enter, or NULL: nothing of it can be seen. */
 const LIM_FLASH struct lim_node *lim_route_node_to_enter(struct lim_route *route);
 
-static inline bool lim_route_is_leaf(const LIM_FLASH struct lim_node *node)
-{
-    return LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
-}
-
 /* Where the eye is: as lim_eye_side(), which is long, where it is asked seldom. */
 int32_t lim_route_side(const struct lim_route *route, const LIM_FLASH struct lim_node *node);
 

@@ -177,7 +177,7 @@ bool lim_shaft_meets_scene(const struct lim_shaft *shaft, const struct lim_route
         node = &route->scene->nodes[next];
         next = LIM_NO_INDEX;
         if (LIM_HAS_CULL && node->box != LIM_NO_INDEX && !meets_box(shaft, &route->scene->boxes[node->box])) continue;
-        if (lim_route_is_leaf(node)) {
+        if (lim_node_is_leaf(node)) {
             if (meets_run(shaft, route, node->front_run)) return true;
             continue;
         }

@@ -7,8 +7,8 @@
  * bodies overlap where all of these stretches do: from the last that begins until the first that ends. There is no root
  * in it, and no rounding.
  *
- * Any axis may be tried, if both bodies are measured along the same one: so the normal's filter is as good as an exact
- * normal, and what leaves one out, or a polygon that is not quite flat, finds a contact that is not quite there.
+ * Any axis may be tried, if both bodies are measured along the same one: so an approximate normal does no harm. Fewer
+ * axes, or a polygon that is not flat, can only report a contact too early. None is missed.
  *
  * Corners are 256 v - from, below 2^23 + 2^24 each, edges below 2^17: products are below 2^42, sums below 2^44. */
 #include "touch/contact.h"

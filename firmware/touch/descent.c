@@ -150,11 +150,6 @@ static struct ends ends_of(const struct lim_descent *descent, const LIM_FLASH st
                          (int32_t)reach + DESCENT_SLACK};
 }
 
-static bool is_leaf(const LIM_FLASH struct lim_node *node)
-{
-    return LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX;
-}
-
 /* Goes to the near child, and leaves the far one and the node's own polygons on the stack if the way may come there. */
 static void enter_node(struct lim_descent *descent, const LIM_FLASH struct lim_node *node, lim_index at)
 {
@@ -195,7 +190,7 @@ const LIM_FLASH struct lim_node *lim_descent_next(struct lim_descent *descent)
         const LIM_FLASH struct lim_node *node = &descent->scene->nodes[at];
         descent->next = LIM_NO_INDEX;
         if (node->box != LIM_NO_INDEX && misses_box(descent, &descent->scene->boxes[node->box])) continue;
-        if (is_leaf(node)) return node;
+        if (lim_node_is_leaf(node)) return node;
         enter_node(descent, node, at);
     }
 }

@@ -34,12 +34,6 @@ struct ray_crossing {
     int32_t at_i_q8, at_j_q8; /* h, rounded */
 };
 
-static int64_t ray_value(const struct lim_plane_unpacked *plane, const int32_t at_q8[3])
-{
-    if (plane->axis != LIM_NO_AXIS) return at_q8[plane->axis] - (int32_t)plane->d * 256;
-    return lim_plane_value(plane, at_q8[0], at_q8[1], at_q8[2], 256);
-}
-
 static uint_fast8_t longest_axis(const int32_t n[3])
 {
     const uint32_t x = abs_s32(n[0]), y = abs_s32(n[1]), z = abs_s32(n[2]);
@@ -56,7 +50,8 @@ static int32_t along(const struct ray *ray, uint_fast8_t axis, uint32_t part_q30
 /* false: the ray does not cross crossing->plane. */
 static bool cross_plane(const struct ray *ray, struct ray_crossing *crossing)
 {
-    const int64_t from = ray_value(&crossing->plane, ray->from_q8), to = ray_value(&crossing->plane, ray->to_q8);
+    const int64_t from = lim_plane_value_q8(&crossing->plane, ray->from_q8),
+                  to = lim_plane_value_q8(&crossing->plane, ray->to_q8);
 
     if (from == to || (from > 0 && to > 0) || (from < 0 && to < 0)) return false;
     crossing->from_back = from < 0 || (!from && to > 0);
@@ -259,7 +254,7 @@ int lim_trace(const struct lim_solid *solid, const int32_t from_q8[3], const int
     while ((node = lim_descent_next(&descent))) {
         const uint64_t num = ray.num;
         const uint64_t den = ray.den;
-        if (LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX)
+        if (lim_node_is_leaf(node))
             try_leaf(&ray, node);
         else
             try_node(&ray, node);

@@ -59,12 +59,16 @@ static void go_along_crease(struct slide *slide)
 {
     const int16_t *a = slide->normals[0], *b = slide->normals[1];
     int32_t cross[3], part_q8[3];
+    int64_t cross_wide[4] = {0, 0, 0, 0};
     int16_t crease[3];
 
     for (uint_fast8_t i = 0; i < 3; i++) {
         const uint_fast8_t j = lim_axis_after(i), k = lim_axis_after(j);
-        cross[i] = (int32_t)a[j] * b[k] / 2 - (int32_t)a[k] * b[j] / 2;
+        cross_wide[i] = (int64_t)a[j] * b[k] - (int64_t)a[k] * b[j];
     }
+    shorten_s64(cross_wide, INT64_C(1) << 30);
+    for (uint_fast8_t i = 0; i < 3; i++)
+        cross[i] = (int32_t)cross_wide[i];
     lim_hit_normal(cross, false, crease);
     part_along(crease, slide->way_q8, part_q8);
     for (uint_fast8_t i = 0; i < 3; i++)

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * A walker's move: on the level, over a step, and down. It is tried on the level first. Where that is stopped it is
- * tried a step higher, and set down there; of the two the one that goes further is taken, if it ends on ground that can
- * be stood on. Ground is what is no steeper than 45 degrees. */
+ * tried a step higher, and set down there. That way counts if it goes further, unless it comes down on something too
+ * steep to stand on. Ground is what is no steeper than 45 degrees. */
 #include "collide.h"
 #include "math/fixed.h"
 #include "touch/slide.h"
-
-#define WALKER_WAY_MAX_Q8 (INT32_C(1) << 20)
-#define GRAVITY_MAX_Q8 (INT32_C(1) << 16)
 
 struct stride {
     const struct lim_solid *solid;
@@ -102,10 +99,10 @@ static void fall(struct stride *stride, struct lim_walker *walker)
 
 static bool is_walker_in_range(const struct lim_walker *walker, int32_t x_q8, int32_t z_q8)
 {
-    return abs_s32(x_q8) < WALKER_WAY_MAX_Q8 && abs_s32(z_q8) < WALKER_WAY_MAX_Q8 && walker->radius_q8 > 0 &&
+    return abs_s32(x_q8) < LIM_WALKER_WAY_MAX_Q8 && abs_s32(z_q8) < LIM_WALKER_WAY_MAX_Q8 && walker->radius_q8 > 0 &&
            walker->radius_q8 <= LIM_HALF_MAX_Q8 && walker->height_q8 > 0 && walker->height_q8 <= 2 * LIM_HALF_MAX_Q8 &&
            walker->step_q8 >= 0 && walker->step_q8 < walker->height_q8 && walker->gravity_q8 >= 0 &&
-           walker->gravity_q8 <= GRAVITY_MAX_Q8 && abs_s32(walker->fall_q8) <= LIM_FALL_MAX_Q8 &&
+           walker->gravity_q8 <= LIM_GRAVITY_MAX_Q8 && abs_s32(walker->fall_q8) <= LIM_FALL_MAX_Q8 &&
            abs_s32(walker->at_q8[0]) < LIM_BODY_MAX_Q8 && abs_s32(walker->at_q8[1]) < LIM_BODY_MAX_Q8 &&
            abs_s32(walker->at_q8[2]) < LIM_BODY_MAX_Q8;
 }

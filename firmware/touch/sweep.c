@@ -18,18 +18,12 @@ struct sweep {
     bool backs;
 };
 
-/* Whether its middle is behind a plane when it begins. */
-static bool begins_behind(const struct sweep *sweep, const struct lim_plane_unpacked *plane, int32_t *side)
+/* On which side of a plane its middle is when it begins. */
+static int32_t side_at_begin(const struct sweep *sweep, const struct lim_plane_unpacked *plane)
 {
-    const int32_t *at_q8 = sweep->box.from_q8;
-    int64_t value;
+    const int64_t value = lim_plane_value_q8(plane, sweep->box.from_q8);
 
-    if (plane->axis != LIM_NO_AXIS)
-        value = at_q8[plane->axis] - (int32_t)plane->d * 256;
-    else
-        value = lim_plane_value(plane, at_q8[0], at_q8[1], at_q8[2], 256);
-    *side = (value > 0) - (value < 0);
-    return value < 0;
+    return (value > 0) - (value < 0);
 }
 
 static void try_record(struct sweep *sweep, const LIM_FLASH lim_index *record, const struct lim_plane_unpacked *plane,
@@ -66,11 +60,10 @@ static void sweep_run(struct sweep *sweep, lim_index run, bool back, const struc
 static void sweep_node(struct sweep *sweep, const LIM_FLASH struct lim_node *node)
 {
     struct lim_plane_unpacked plane;
-    int32_t side;
 
     if (node->front_run == LIM_NO_INDEX && node->back_run == LIM_NO_INDEX) return;
     lim_plane_unpack(&plane, sweep->box.scene, &node->split);
-    begins_behind(sweep, &plane, &side);
+    const int32_t side = side_at_begin(sweep, &plane);
     sweep_run(sweep, node->front_run, false, &plane, side);
     sweep_run(sweep, node->back_run, true, &plane, side);
 }
@@ -82,10 +75,10 @@ static void sweep_leaf(struct sweep *sweep, const LIM_FLASH struct lim_node *nod
     for (;; record += lim_record_words(record[0])) {
         const bool back = record[0] & LIM_POLYGON_BACK;
         struct lim_plane_unpacked plane;
-        int32_t side;
-        const bool has_plane = lim_descent_plane(&plane, sweep->box.scene, record);
-        begins_behind(sweep, &plane, &side);
-        if (has_plane && stops(sweep, back, side)) try_record(sweep, record, &plane, side ? side < 0 : back);
+        if (lim_descent_plane(&plane, sweep->box.scene, record)) {
+            const int32_t side = side_at_begin(sweep, &plane);
+            if (stops(sweep, back, side)) try_record(sweep, record, &plane, side ? side < 0 : back);
+        }
         if (record[0] & LIM_POLYGON_LAST) return;
     }
 }
@@ -104,7 +97,7 @@ static void sweep_to(struct sweep *sweep, const struct lim_solid *solid, const i
     sweep->box.high = descent.high;
     while ((node = lim_descent_next(&descent))) {
         const lim_index record = sweep->record;
-        if (LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX)
+        if (lim_node_is_leaf(node))
             sweep_leaf(sweep, node);
         else
             sweep_node(sweep, node);
@@ -148,9 +141,9 @@ static bool sweep_until_free(struct sweep *sweep, const struct lim_solid *solid,
         const uint32_t part_q30 = part_before(&sweep->first);
         if (hit->record == LIM_NO_INDEX) {
             hit->record = sweep->record;
-            hit->part_q30 = part_q30;
             lim_hit_normal(sweep->first.axis, false, hit->normal);
         }
+        hit->part_q30 = (uint32_t)(((uint64_t)hit->part_q30 * part_q30) >> 30);
         moves = false;
         for (uint_fast8_t i = 0; i < 3; i++) {
             const int32_t step_q8 = lim_part_of(sweep->box.way_q8[i], part_q30);
@@ -158,7 +151,7 @@ static bool sweep_until_free(struct sweep *sweep, const struct lim_solid *solid,
             moves = moves || step_q8;
         }
     }
-    if (moves) hit->part_q30 = 0;
+    hit->part_q30 = 0;
     for (uint_fast8_t i = 0; i < 3; i++)
         hit->at_q8[i] = sweep->box.from_q8[i];
     return true;

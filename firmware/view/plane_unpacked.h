@@ -19,6 +19,13 @@ static inline int64_t lim_plane_value(const struct lim_plane_unpacked *plane, in
     return (int64_t)plane->n[0] * x + (int64_t)plane->n[1] * y + (int64_t)plane->n[2] * z - plane->d * one;
 }
 
+/* The same in 2^-8 units, of an axis plane without its normal. */
+static inline int64_t lim_plane_value_q8(const struct lim_plane_unpacked *plane, const int32_t at_q8[3])
+{
+    if (plane->axis != LIM_NO_AXIS) return at_q8[plane->axis] - (int32_t)plane->d * 256;
+    return lim_plane_value(plane, at_q8[0], at_q8[1], at_q8[2], 256);
+}
+
 static inline int64_t lim_corner_value(const struct lim_plane_unpacked *plane, const int32_t at_q12[3])
 {
     if (plane->axis != LIM_NO_AXIS) return at_q12[plane->axis] - (int32_t)plane->d * (int32_t)LIM_CORNER_ONE_Q12;

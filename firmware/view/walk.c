@@ -62,7 +62,7 @@ lim_index lim_walk_next(struct lim_walk *walk, struct lim_cull *cull, struct lim
         next = LIM_NO_INDEX;
         if (lim_node_is_skipped(walk->eye.scene, node, walk->shown, cull, depth, stats)) continue;
         if (LIM_HAS_STATS) stats->nodes++;
-        if (LIM_HAS_LEAVES && node->split.plane == LIM_NO_INDEX) {
+        if (lim_node_is_leaf(node)) {
             run = node->front_run;
             continue;
         }

@@ -82,13 +82,19 @@ bool walk_map_put(const struct walk_map *map, const double eye_m[3], struct lim_
     *walker = (struct lim_walker){.radius_q8 = (int32_t)units_q8(map, map->body.radius_m),
                                   .height_q8 = (int32_t)units_q8(map, map->body.height_m),
                                   .step_q8 = step_q8,
-                                  .gravity_q8 = (int32_t)fmin(65536.0, units_q8(map, FALL_M))};
+                                  .gravity_q8 = (int32_t)fmin(LIM_GRAVITY_MAX_Q8, units_q8(map, FALL_M))};
     for (int i = 0; i < 3; i++) {
         const double at_q8 = units_q8(map, eye_m[i] - grid->origin_m[i] - (i == 1 ? map->body.eye_m : 0.0));
         if (!(fabs(at_q8) < LIM_BODY_MAX_Q8)) return false;
         walker->at_q8[i] = (int32_t)at_q8;
     }
     return falls_to_ground(map, walker);
+}
+
+/* As far as a walker moves at once, where units are small. */
+static double stride_m(const struct walk_map *map)
+{
+    return fmin(STRIDE_M, (LIM_WALKER_WAY_MAX_Q8 - 1) / 256.0 / map->scene->grid.units_per_m);
 }
 
 /* Straight to a place, so far at most. false: it left the range. */
@@ -102,17 +108,17 @@ static bool stride(const struct walk_map *map, struct lim_walker *walker, const 
 
 bool walk_map_goes(const struct walk_map *map, struct lim_walker *walker, const struct lim_walker *to, double most_m)
 {
-    const int moves = (int)ceil(most_m / STRIDE_M) + 2;
+    const int moves = (int)ceil(most_m / stride_m(map)) + 2;
     for (int i = 0; i < moves && walk_map_way_m(map, walker, to) >= WALK_NEAR_M; i++)
-        if (!stride(map, walker, to, STRIDE_M) || !walker->stands) return false;
+        if (!stride(map, walker, to, stride_m(map)) || !walker->stands) return false;
     return walk_map_way_m(map, walker, to) < WALK_NEAR_M;
 }
 
 bool walk_map_steps(const struct walk_map *map, struct lim_walker *walker, const struct lim_walker *to, double way_m)
 {
-    for (double left_m = way_m; left_m > 0.0; left_m -= STRIDE_M) {
+    for (double left_m = way_m; left_m > 0.0; left_m -= stride_m(map)) {
         const struct lim_walker before = *walker;
-        if (!stride(map, walker, to, fmin(left_m, STRIDE_M))) return false;
+        if (!stride(map, walker, to, fmin(left_m, stride_m(map)))) return false;
         if (walker->stands) continue;
         *walker = before;
         break;

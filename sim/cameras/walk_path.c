@@ -34,7 +34,7 @@ struct touring {
     int stuck;
 };
 
-/* How far a place is, as it were; up and down is farther. */
+/* The way there on the level, and four times the difference in height: places are compared by it, no more. */
 static double apart_m(const struct touring *tour, size_t place)
 {
     const struct lim_walker *at = &tour->map.places[place].walker;

@@ -229,7 +229,9 @@ static bool parts_list(const struct bsp *bsp, const uint32_t *list, size_t count
     return met == BSP_BOTH;
 }
 
-/* Between the first `before` of the extents and the others, if nothing of either is in the other's place. */
+/* Halfway from `high`, where the extents so far end, to `low`, where the next one begins. false: either reaches over
+ * it.
+ */
 static bool gap_at(const struct bsp *bsp, double high, double low, int32_t *d)
 {
     *d = (int32_t)lround((high + low) / 2.0);

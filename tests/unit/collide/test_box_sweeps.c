@@ -29,7 +29,7 @@ struct stage {
 };
 
 struct tally {
-    size_t moves, stopped, in_walls, through, early, slid_q8;
+    size_t moves, stopped, in_walls, through, early, elsewhere, slid_q8; /* elsewhere: not where its part says */
 };
 
 static void stage_begin(struct stage *stage, uint64_t seed)
@@ -180,6 +180,10 @@ static void try_sweep(struct stage *stage, const int32_t from_q8[3], const int32
             for (int i = 0; i < 3; i++)
                 stage->half_q8[i]++;
     }
+    for (int i = 0; i < 3; i++) { /* each try rounds it */
+        const double gone_q8 = ((double)to_q8[i] - from_q8[i]) * hit->part_q30 / 1073741824.0;
+        tally->elsewhere += fabs(hit->at_q8[i] - from_q8[i] - gone_q8) > 16;
+    }
     if (stopped)
         tally->early += !was_in_the_way(stage, from_q8, to_q8, hit);
     else
@@ -232,6 +236,7 @@ static void sweep_about(struct stage *stage, int whole, const char *name)
     assert_int_equal(tally.in_walls, 0);
     assert_int_equal(tally.through, 0);
     assert_int_equal(tally.early, 0);
+    assert_int_equal(tally.elsewhere, 0);
     assert_true(tally.stopped > tally.moves / 20);
 }
 
