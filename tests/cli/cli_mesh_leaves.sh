@@ -51,21 +51,14 @@ done
 tap_check "by scan lines" has_leaves apart --method scanline
 tap_check "by the painter" has_leaves apart --method painter
 
-is_split_less() {
-    report planes --method nearest --mesh-leaves none && before=$(count 'splits') &&
-        report planes --method nearest --mesh-leaves all && after=$(count 'splits') || return 1
-    echo "# $before splits, with leaves $after"
-    [ "$after" -lt $((before / 4)) ]
+is_less() { # MODEL WHAT PART: with leaves less than a part of what it is without
+    report "$1" --method nearest --mesh-leaves none && before=$(count "$2") &&
+        report "$1" --method nearest --mesh-leaves all && after=$(count "$2") || return 1
+    echo "# $2: $before, with leaves $after"
+    [ "$after" -lt $((before / $3)) ]
 }
-tap_check "what planes go through is split less" is_split_less
-
-is_smaller() {
-    report apart --method nearest --mesh-leaves none && before=$(count 'in all') &&
-        report apart --method nearest --mesh-leaves all && after=$(count 'in all') || return 1
-    echo "# $before bytes, with leaves $after"
-    [ "$after" -lt $((before / 2)) ]
-}
-tap_check "a room with leaves takes less flash" is_smaller
+tap_check "what planes go through is split less" is_less planes splits 4
+tap_check "a room with leaves takes less flash" is_less apart 'in all' 2
 
 # Nothing is exact about it, and what stands apart is right all the same.
 wrong() { # MODEL MOST OPTION...

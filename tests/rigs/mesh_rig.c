@@ -53,6 +53,15 @@ struct mesh_polygon *mesh_rig_add(struct mesh *mesh, const double (*corners_m)[3
     return polygon;
 }
 
+void mesh_rig_triangle(struct mesh *mesh, const double (*corners_m)[3], int second, int third)
+{
+    const int corners[3] = {0, second, third};
+    double at_m[3][3];
+    for (int i = 0; i < 3; i++)
+        memcpy(at_m[i], corners_m[corners[i]], sizeof at_m[i]);
+    mesh_rig_add(mesh, (const double(*)[3])at_m, 3);
+}
+
 void mesh_rig_wall(struct mesh *mesh, uint32_t face, double x0, double y0, double x1, double y1)
 {
     const double corners_m[4][3] = {{y0, -1.0, x0}, {y0, 1.0, x0}, {y1, 1.0, x1}, {y1, -1.0, x1}};

@@ -16,6 +16,9 @@ void mesh_rig_free(struct mesh *mesh);
 /* Adds a polygon; equal corners of polygons become one point, faces are numbered from 1. */
 struct mesh_polygon *mesh_rig_add(struct mesh *mesh, const double (*corners_m)[3], size_t count);
 
+/* The triangle of the first corner and of two others. */
+void mesh_rig_triangle(struct mesh *mesh, const double (*corners_m)[3], int second, int third);
+
 /* A wall of a plan view, 2 m high, from (x0, y0) to (x1, y1) with its front on the left. Plan x is
  * the scene's z and plan y its x, so that the planes of walls along the axes face up or right in plan. */
 void mesh_rig_wall(struct mesh *mesh, uint32_t face, double x0, double y0, double x1, double y1);

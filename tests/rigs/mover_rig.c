@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double ROOM_LOW_M[3] = {-4, 0, -4}, ROOM_HIGH_M[3] = {4, 3, 4};
 static const struct lens LENS = {.tan_x = 0.8, .tan_y = 0.6, .near_m = 0.02};
 
 void mover_rig_moves(struct mover_rig *rig, const struct model_pose *pose)
@@ -33,6 +34,23 @@ void mover_rig_moves(struct mover_rig *rig, const struct model_pose *pose)
 void mover_rig_stands(struct mover_rig *rig)
 {
     rig->still = rig->model.face_count;
+}
+
+void mover_rig_add_rooms(struct mover_rig *rig, bool doorway)
+{
+    struct model *model = &rig->model;
+
+    boxes_add_room(model, ROOM_LOW_M, ROOM_HIGH_M);
+    boxes_add_solid(model, (double[3]){-4, 0, -0.1}, (double[3]){doorway ? -0.5 : 4, 3, 0.1});
+    if (doorway) boxes_add_solid(model, (double[3]){0.5, 0, -0.1}, (double[3]){4, 3, 0.1});
+    if (doorway) boxes_add_solid(model, (double[3]){-0.5, 2, -0.1}, (double[3]){0.5, 3, 0.1});
+    mover_rig_stands(rig);
+}
+
+void mover_rig_add_box(struct mover_rig *rig, double x_m, double y_m, double z_m, const struct model_pose *pose)
+{
+    boxes_add_solid(&rig->model, (double[3]){-x_m, -y_m, -z_m}, (double[3]){x_m, y_m, z_m});
+    mover_rig_moves(rig, pose);
 }
 
 void mover_rig_compile(struct mover_rig *rig, enum moving_mode mode, enum lim_method method, const struct core *core)
@@ -103,6 +121,17 @@ size_t mover_rig_pixels(const struct mover_rig *rig, size_t mover)
         count += face && rig->moving.model.faces[face - 1].mover == mover;
     }
     return count;
+}
+
+void mover_rig_assert_right(const struct mover_rig *rig, double ppm)
+{
+    const struct compare_counts *counts = &rig->counts;
+    const struct lim_mover_stats *movers = &mover_rig_stats(rig)->movers;
+
+    if (1e6 * (double)counts->wrong > ppm * (double)counts->pixels || counts->holes)
+        fail_msg("%zu of %zu pixels wrong, %zu holes", counts->wrong, counts->pixels, counts->holes);
+    assert_int_equal(movers->forced, 0);
+    assert_int_equal(movers->left_out, 0);
 }
 
 const struct lim_stats *mover_rig_stats(const struct mover_rig *rig)

@@ -31,6 +31,13 @@ void mover_rig_stands(struct mover_rig *rig);
  * where `pose` takes them. */
 void mover_rig_moves(struct mover_rig *rig, const struct model_pose *pose);
 
+/* What stands still: a room of 8 x 3 x 8 m, cut in two by a wall from z = -0.1 to 0.1 with a doorway of a metre in its
+ * middle, or with none. */
+void mover_rig_add_rooms(struct mover_rig *rig, bool doorway);
+
+/* What moves: a box around the origin, of these half sizes. */
+void mover_rig_add_box(struct mover_rig *rig, double x_m, double y_m, double z_m, const struct model_pose *pose);
+
 /* No more is added. `core` may be NULL: fast. */
 void mover_rig_compile(struct mover_rig *rig, enum moving_mode mode, enum lim_method method, const struct core *core);
 
@@ -45,6 +52,10 @@ void mover_rig_bend(struct mover_rig *rig, size_t mover, void (*bend)(double at_
 
 /* How many pixels of the last view show a face of a mover (from 1), or of what stands still (0). */
 size_t mover_rig_pixels(const struct mover_rig *rig, size_t mover);
+
+/* Of all views at most so many pixels of a million are wrong, none is a hole; in the last nothing that moves went by
+ * its centre or was left out. */
+void mover_rig_assert_right(const struct mover_rig *rig, double ppm);
 
 const struct lim_stats *mover_rig_stats(const struct mover_rig *rig);
 

@@ -3,28 +3,19 @@
  * Boxes that are moved at random through scenes of every tree: where they end, and on the way there, they are in no
  * polygon, as GMP has it; what stopped them was in their way, by a linear program in double precision; and what slides
  * comes on. */
-#include "collide.h"
-#include "compiler/compile.h"
-#include "rigs/closed_scene.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
-#include "rigs/room_scene.h"
-#include "unit/collide/solid_oracle.h"
+#include "unit/collide/solid_stage.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define E1M1 "/usr/share/games/doom/freedoom1.wad:E1M1"
-
-struct stage {
-    struct compiled scene;
-    struct solid_list list;
-    struct lim_solid solid;
-    lim_index *stack;
+/* What a box is moved in. */
+struct sweeps {
+    struct solid_stage stage;
     bool *in; /* of each polygon, whether the box was in it before */
-    struct random random;
     int32_t half_q8[3];
 };
 
@@ -32,23 +23,16 @@ struct tally {
     size_t moves, stopped, in_walls, through, early, elsewhere, slid_q8; /* elsewhere: not where its part says */
 };
 
-static void stage_begin(struct stage *stage, uint64_t seed)
+/* Its stage has begun. */
+static void sweeps_begin(struct sweeps *sweeps)
 {
-    const size_t mem_b = stage->scene.scene.limits.depth * sizeof *stage->stack;
-
-    stage->random = (struct random){seed};
-    stage->stack = malloc(mem_b + 1);
-    solid_list_init(&stage->list, &stage->scene.scene);
-    stage->in = calloc(stage->list.count, sizeof *stage->in);
-    assert_int_equal(lim_solid_init(&stage->solid, &stage->scene.scene, stage->stack, mem_b), LIM_OK);
+    sweeps->in = calloc(sweeps->stage.list.count, sizeof *sweeps->in);
 }
 
-static void stage_end(struct stage *stage)
+static void sweeps_end(struct sweeps *sweeps)
 {
-    free(stage->in);
-    solid_list_free(&stage->list);
-    compiled_free(&stage->scene);
-    free(stage->stack);
+    free(sweeps->in);
+    solid_stage_end(&sweeps->stage);
 }
 
 static bool is_in_front(const struct solid_polygon *polygon, const int32_t at_q8[3])
@@ -59,22 +43,23 @@ static bool is_in_front(const struct solid_polygon *polygon, const int32_t at_q8
 }
 
 /* In how many polygons the box is; which ones, is noted. */
-static size_t note_in(struct stage *stage, const int32_t at_q8[3])
+static size_t note_in(struct sweeps *sweeps, const int32_t at_q8[3])
 {
     size_t count = 0;
 
-    for (size_t k = 0; k < stage->list.count; k++)
-        count += stage->in[k] = solid_overlaps(&stage->list, &stage->list.polygons[k], at_q8, stage->half_q8);
+    for (size_t k = 0; k < sweeps->stage.list.count; k++)
+        count += sweeps->in[k] =
+            solid_overlaps(&sweeps->stage.list, &sweeps->stage.list.polygons[k], at_q8, sweeps->half_q8);
     return count;
 }
 
 /* Whether it is in a polygon there that it was not in before, and in front of which it was. */
-static bool is_in_wall(const struct stage *stage, const int32_t before_q8[3], const int32_t at_q8[3], bool backs)
+static bool is_in_wall(const struct sweeps *sweeps, const int32_t before_q8[3], const int32_t at_q8[3], bool backs)
 {
-    for (size_t k = 0; k < stage->list.count; k++) {
-        const struct solid_polygon *polygon = &stage->list.polygons[k];
-        if (!stage->in[k] && (backs || is_in_front(polygon, before_q8)) &&
-            solid_overlaps(&stage->list, polygon, at_q8, stage->half_q8))
+    for (size_t k = 0; k < sweeps->stage.list.count; k++) {
+        const struct solid_polygon *polygon = &sweeps->stage.list.polygons[k];
+        if (!sweeps->in[k] && (backs || is_in_front(polygon, before_q8)) &&
+            solid_overlaps(&sweeps->stage.list, polygon, at_q8, sweeps->half_q8))
             return true;
     }
     return false;
@@ -127,7 +112,7 @@ static double triangle_at(const double corners[3][3], const double from[3], cons
 }
 
 /* Whether the polygon comes within 3 units of the box as early as the box was stopped by it. */
-static bool was_in_the_way(const struct stage *stage, const int32_t from_q8[3], const int32_t to_q8[3],
+static bool was_in_the_way(const struct sweeps *sweeps, const int32_t from_q8[3], const int32_t to_q8[3],
                            const struct lim_hit *hit)
 {
     double from[3], way[3], half[3], into = 0, sizes = 0, least = 2;
@@ -135,18 +120,18 @@ static bool was_in_the_way(const struct stage *stage, const int32_t from_q8[3], 
     for (int i = 0; i < 3; i++) {
         from[i] = from_q8[i] / 256.0;
         way[i] = (to_q8[i] - from_q8[i]) / 256.0;
-        half[i] = stage->half_q8[i] / 256.0 + 3;
+        half[i] = sweeps->half_q8[i] / 256.0 + 3;
         into -= way[i] * hit->normal[i];
         sizes += abs(hit->normal[i]);
     }
     if (into <= 0) return false; /* it went out of it */
-    for (size_t k = 0; k < stage->list.count; k++) {
-        const struct solid_polygon *polygon = &stage->list.polygons[k];
+    for (size_t k = 0; k < sweeps->stage.list.count; k++) {
+        const struct solid_polygon *polygon = &sweeps->stage.list.polygons[k];
         for (size_t c = 2; polygon->record == hit->record && c < polygon->count; c++) {
             const size_t of[3] = {0, c - 1, c};
             double corners[3][3];
             for (int p = 0; p < 3; p++) {
-                const struct lim_vertex *v = &stage->scene.scene.vertices[polygon->corners[of[p]]];
+                const struct lim_vertex *v = &sweeps->stage.scene.scene.vertices[polygon->corners[of[p]]];
                 corners[p][0] = v->x, corners[p][1] = v->y, corners[p][2] = v->z;
             }
             least = fmin(least, triangle_at(corners, from, way, half));
@@ -156,17 +141,17 @@ static bool was_in_the_way(const struct stage *stage, const int32_t from_q8[3], 
     return least <= hit->part_q30 / 1073741824.0 + skin + 1e-6;
 }
 
-static void try_sweep(struct stage *stage, const int32_t from_q8[3], const int32_t to_q8[3], uint8_t flags,
+static void try_sweep(struct sweeps *sweeps, const int32_t from_q8[3], const int32_t to_q8[3], uint8_t flags,
                       struct lim_hit *hit, struct tally *tally)
 {
-    const int stopped = lim_sweep(&stage->solid, stage->half_q8, from_q8, to_q8, flags, hit);
-    const struct solid_ray ray = solid_trace(&stage->list, from_q8, hit->at_q8, flags & LIM_STOP_BACKS);
+    const int stopped = lim_sweep(&sweeps->stage.solid, sweeps->half_q8, from_q8, to_q8, flags, hit);
+    const struct solid_ray ray = solid_trace(&sweeps->stage.list, from_q8, hit->at_q8, flags & LIM_STOP_BACKS);
 
     assert_true(stopped >= 0);
     tally->moves++;
     tally->stopped += (size_t)stopped;
     /* a ray meets what is half a unit beside it, a box of less may pass there */
-    if (stage->half_q8[0] > 128 && stage->half_q8[1] > 128 && stage->half_q8[2] > 128)
+    if (sweeps->half_q8[0] > 128 && sweeps->half_q8[1] > 128 && sweeps->half_q8[2] > 128)
         tally->through += ray.hit && ray.num && ray.num < ray.den;
     for (int part = 1; part <= 4; part++) {
         int32_t at_q8[3];
@@ -174,65 +159,56 @@ static void try_sweep(struct stage *stage, const int32_t from_q8[3], const int32
             at_q8[i] = from_q8[i] + (int32_t)((int64_t)(hit->at_q8[i] - from_q8[i]) * part / 4);
         if (part < 4) /* rounded: a little less of it */
             for (int i = 0; i < 3; i++)
-                stage->half_q8[i]--;
-        tally->in_walls += is_in_wall(stage, from_q8, at_q8, flags & LIM_STOP_BACKS);
+                sweeps->half_q8[i]--;
+        tally->in_walls += is_in_wall(sweeps, from_q8, at_q8, flags & LIM_STOP_BACKS);
         if (part < 4)
             for (int i = 0; i < 3; i++)
-                stage->half_q8[i]++;
+                sweeps->half_q8[i]++;
     }
     for (int i = 0; i < 3; i++) { /* each try rounds it */
         const double gone_q8 = ((double)to_q8[i] - from_q8[i]) * hit->part_q30 / 1073741824.0;
         tally->elsewhere += fabs(hit->at_q8[i] - from_q8[i] - gone_q8) > 16;
     }
     if (stopped)
-        tally->early += !was_in_the_way(stage, from_q8, to_q8, hit);
+        tally->early += !was_in_the_way(sweeps, from_q8, to_q8, hit);
     else
         assert_memory_equal(hit->at_q8, to_q8, sizeof hit->at_q8);
 }
 
-static void in_bounds(struct stage *stage, int32_t at_q8[3])
-{
-    const struct lim_box *box = &stage->scene.scene.boxes[0];
-
-    for (int i = 0; i < 3; i++) {
-        const int64_t half_q8 = box->half[i] * INT64_C(256);
-        at_q8[i] = (int32_t)(box->centre[i] * INT64_C(256) + random_in(&stage->random, -half_q8, half_q8));
-    }
-}
-
-static void any_half(struct stage *stage)
+static void any_half(struct sweeps *sweeps)
 {
     static const int32_t most_q8[] = {1, 300, 40000, 300000};
-    const int32_t most = most_q8[random_u64(&stage->random) % 4];
+    const int32_t most = most_q8[random_u64(&sweeps->stage.random) % 4];
 
     for (int i = 0; i < 3; i++)
-        stage->half_q8[i] = (int32_t)random_in(&stage->random, 1, most);
+        sweeps->half_q8[i] = (int32_t)random_in(&sweeps->stage.random, 1, most);
 }
 
 /* A random walk of sweeps: each goes on from where the last one ended. */
-static void sweep_about(struct stage *stage, int whole, const char *name)
+static void sweep_about(struct sweeps *sweeps, int whole)
 {
     struct tally tally = {0};
 
     for (int k = 0; k < effort(whole); k++) {
         int32_t at_q8[3];
-        any_half(stage);
-        in_bounds(stage, at_q8);
+        any_half(sweeps);
+        solid_stage_in_bounds(&sweeps->stage, 256, at_q8);
         for (int move = 0; move < 10; move++) {
-            const int64_t far_q8 = random_u64(&stage->random) % 2 ? 20000 : 2000000;
+            const int64_t far_q8 = random_u64(&sweeps->stage.random) % 2 ? 20000 : 2000000;
             const uint8_t flags = k % 4 == 3 ? LIM_STOP_BACKS : 0;
             struct lim_hit hit;
             int32_t to_q8[3];
             for (int i = 0; i < 3; i++)
-                to_q8[i] = at_q8[i] +
-                           (random_u64(&stage->random) % 4 ? (int32_t)random_in(&stage->random, -far_q8, far_q8) : 0);
-            note_in(stage, at_q8);
-            try_sweep(stage, at_q8, to_q8, flags, &hit, &tally);
+                to_q8[i] = at_q8[i] + (random_u64(&sweeps->stage.random) % 4
+                                           ? (int32_t)random_in(&sweeps->stage.random, -far_q8, far_q8)
+                                           : 0);
+            note_in(sweeps, at_q8);
+            try_sweep(sweeps, at_q8, to_q8, flags, &hit, &tally);
             memcpy(at_q8, hit.at_q8, sizeof at_q8);
         }
     }
-    printf("# %s: %zu moves, %zu stopped, %zu in walls, %zu through, %zu too early\n", name, tally.moves, tally.stopped,
-           tally.in_walls, tally.through, tally.early);
+    printf("# %s: %zu moves, %zu stopped, %zu in walls, %zu through, %zu too early\n", sweeps->stage.name, tally.moves,
+           tally.stopped, tally.in_walls, tally.through, tally.early);
     assert_int_equal(tally.in_walls, 0);
     assert_int_equal(tally.through, 0);
     assert_int_equal(tally.early, 0);
@@ -240,25 +216,14 @@ static void sweep_about(struct stage *stage, int whole, const char *name)
     assert_true(tally.stopped > tally.moves / 20);
 }
 
-static void compile_to(struct stage *stage, const char *path, enum tree_kind tree)
-{
-    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .tree = tree, .unlit = true};
-    struct error err;
-
-    *stage = (struct stage){.solid = {NULL, NULL}};
-    if (!compile_model(path, &options, &stage->scene, &err)) fail_msg("%s", err.text);
-    stage_begin(stage, 77 + (uint64_t)tree);
-}
-
 static void sweep_model(const char *path, enum tree_kind tree, int whole)
 {
-    struct stage stage;
-    char name[200];
+    struct sweeps sweeps = {0};
 
-    compile_to(&stage, path, tree);
-    snprintf(name, sizeof name, "%s, %s", path, tree_names[tree]);
-    sweep_about(&stage, whole, name);
-    stage_end(&stage);
+    solid_stage_model(&sweeps.stage, path, tree, MESH_LEAVES_NONE);
+    sweeps_begin(&sweeps);
+    sweep_about(&sweeps, whole);
+    sweeps_end(&sweeps);
 }
 
 static void boxes_end_in_no_wall(void **state)
@@ -268,7 +233,7 @@ static void boxes_end_in_no_wall(void **state)
     sweep_model("sim/scenes/rooms.obj", TREE_OCTREE, 300);
     sweep_model("sim/scenes/teapot.obj", TREE_CLUSTERS, 400);
     sweep_model("sim/scenes/knot.obj", TREE_BSP, 400);
-    sweep_model(E1M1, TREE_BSP, 300);
+    sweep_model(SOLID_E1M1, TREE_BSP, 300);
 }
 
 static void boxes_end_in_no_wall_of_random_buildings(void **state)
@@ -277,15 +242,11 @@ static void boxes_end_in_no_wall_of_random_buildings(void **state)
 
     (void)state;
     for (int k = 0; k < 8; k++) {
-        struct room_scene rooms;
-        struct stage stage = {.solid = {NULL, NULL}};
-        struct error err;
-        room_scene_random(&rooms, &random);
-        if (!room_scene_compile(&rooms, PORTALS_OFF, NULL, &stage.scene, &err)) fail_msg("%s", err.text);
-        stage_begin(&stage, 500 + (uint64_t)k);
-        sweep_about(&stage, 100, "a random building");
-        stage_end(&stage);
-        room_scene_free(&rooms);
+        struct sweeps sweeps = {0};
+        solid_stage_building(&sweeps.stage, &random, (uint64_t)k);
+        sweeps_begin(&sweeps);
+        sweep_about(&sweeps, 100);
+        sweeps_end(&sweeps);
     }
 }
 
@@ -298,31 +259,26 @@ static void what_slides_stays_in_a_closed_room(void **state)
 
     (void)state;
     for (int k = 0; k < effort(12); k++) {
-        const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest"};
         struct closed_scene closed;
-        struct stage stage = {.solid = {NULL, NULL}};
-        struct error err;
-        closed_scene_make(&closed, &random);
-        if (!compile_part(&closed.model, NULL, &options, &stage.scene, &err)) fail_msg("%s", err.text);
-        stage_begin(&stage, 7000 + (uint64_t)k);
+        struct sweeps sweeps = {0};
+        solid_stage_closed(&sweeps.stage, &closed, &random, (uint64_t)k);
+        sweeps_begin(&sweeps);
         for (int walk = 0; walk < 20; walk++) {
             const struct viewpoint view = closed_scene_viewpoint(&closed, &random);
-            const struct grid *grid = &stage.scene.grid;
             int32_t at_q8[3], way_q8[3] = {0, 0, 0};
-            for (int a = 0; a < 3; a++) {
-                at_q8[a] = (int32_t)lround((view.eye_m[a] - grid->origin_m[a]) * grid->units_per_m * 256);
-                stage.half_q8[a] = (int32_t)random_in(&random, 1, 100000);
-            }
-            if (note_in(&stage, at_q8)) continue;
+            solid_place_q8(&sweeps.stage.scene, view.eye_m, at_q8);
+            for (int a = 0; a < 3; a++)
+                sweeps.half_q8[a] = (int32_t)random_in(&random, 1, 100000);
+            if (note_in(&sweeps, at_q8)) continue;
             for (int move = 0; move < 100; move++) {
                 const int32_t before_q8[3] = {at_q8[0], at_q8[1], at_q8[2]};
                 for (int a = 0; a < 3 && move % 20 == 0; a++)
                     way_q8[a] = (int32_t)random_in(&random, -150000, 150000);
-                const int stopped = lim_slide(&stage.solid, stage.half_q8, at_q8, way_q8, 0);
+                const int stopped = lim_slide(&sweeps.stage.solid, sweeps.half_q8, at_q8, way_q8, 0);
                 assert_true(stopped >= 0 && stopped <= LIM_SLIDES);
                 moves++;
                 stops += stopped > 0;
-                in += note_in(&stage, at_q8) > 0;
+                in += note_in(&sweeps, at_q8) > 0;
                 if (!stopped) continue;
                 asked +=
                     sqrt((double)way_q8[0] * way_q8[0] + (double)way_q8[1] * way_q8[1] + (double)way_q8[2] * way_q8[2]);
@@ -330,7 +286,7 @@ static void what_slides_stays_in_a_closed_room(void **state)
                              pow(at_q8[2] - before_q8[2], 2));
             }
         }
-        stage_end(&stage);
+        sweeps_end(&sweeps);
         closed_scene_free(&closed);
     }
     printf("# %zu moves, %zu in walls, %zu stopped, of whose ways %.0f %% was gone\n", moves, in, stops,
@@ -345,11 +301,11 @@ static void what_is_out_of_range_is_refused(void **state)
     const int32_t half_q8[3] = {1, LIM_HALF_MAX_Q8, 7}, none_q8[3] = {1, 0, 1},
                   large_q8[3] = {LIM_HALF_MAX_Q8 + 1, 1, 1}, at_q8[3] = {0, 0, 0}, far_q8[3] = {0, 0, -LIM_BODY_MAX_Q8};
     int32_t here_q8[3] = {LIM_BODY_MAX_Q8 - 1, 0, 0};
-    struct stage stage;
+    struct solid_stage stage = {0};
     struct lim_hit hit;
 
     (void)state;
-    compile_to(&stage, "sim/scenes/knot.obj", TREE_BSP);
+    solid_stage_model(&stage, "sim/scenes/knot.obj", TREE_BSP, MESH_LEAVES_NONE);
     assert_true(lim_sweep(&stage.solid, half_q8, at_q8, at_q8, 0, &hit) >= 0);
     assert_int_equal(lim_sweep(&stage.solid, none_q8, at_q8, at_q8, 0, &hit), LIM_ERR_CAMERA);
     assert_int_equal(lim_sweep(&stage.solid, large_q8, at_q8, at_q8, 0, &hit), LIM_ERR_CAMERA);
@@ -360,7 +316,7 @@ static void what_is_out_of_range_is_refused(void **state)
     assert_int_equal(lim_slide(&stage.solid, half_q8, here_q8, (const int32_t[3]){INT32_MAX, 0, 0}, 0), LIM_ERR_CAMERA);
     here_q8[0] = INT32_MIN;
     assert_int_equal(lim_slide(&stage.solid, half_q8, here_q8, (const int32_t[3]){-1, 0, 0}, 0), LIM_ERR_CAMERA);
-    stage_end(&stage);
+    solid_stage_end(&stage);
 }
 
 int main(void)

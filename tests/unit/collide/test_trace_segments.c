@@ -2,30 +2,15 @@
  *
  * Segments through scenes of every tree, against an oracle that asks all polygons in exact arithmetic: at random, along
  * walls, through edges and corners, from planes, from far outside, without length. */
-#include "collide.h"
-#include "compiler/compile.h"
 #include "compiler/compile_mesh.h"
 #include "eye.h"
-#include "rigs/closed_scene.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
-#include "rigs/room_scene.h"
 #include "rigs/tiny_scenes.h"
-#include "unit/collide/solid_oracle.h"
+#include "unit/collide/solid_stage.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-
-#define E1M1 "/usr/share/games/doom/freedoom1.wad:E1M1"
-
-struct stage {
-    struct compiled scene;
-    struct solid_list list;
-    struct lim_solid solid;
-    lim_index *stack;
-    struct random random;
-};
 
 struct segment {
     int32_t from_q8[3], to_q8[3];
@@ -35,23 +20,6 @@ struct tally {
     size_t segments, hits, wrong, ties;
 };
 
-static void stage_begin(struct stage *stage, uint64_t seed)
-{
-    const size_t mem_b = stage->scene.scene.limits.depth * sizeof *stage->stack;
-
-    stage->random = (struct random){seed};
-    stage->stack = malloc(mem_b + 1);
-    solid_list_init(&stage->list, &stage->scene.scene);
-    assert_int_equal(lim_solid_init(&stage->solid, &stage->scene.scene, stage->stack, mem_b), LIM_OK);
-}
-
-static void stage_end(struct stage *stage)
-{
-    solid_list_free(&stage->list);
-    compiled_free(&stage->scene);
-    free(stage->stack);
-}
-
 static int32_t clamped_q8(int64_t at_q8)
 {
     const int64_t most = LIM_EYE_MAX_Q8 - 1;
@@ -59,30 +27,25 @@ static int32_t clamped_q8(int64_t at_q8)
     return (int32_t)(at_q8 > most ? most : at_q8 < -most ? -most : at_q8);
 }
 
-static void anywhere(struct stage *stage, int64_t range_q8, int32_t at_q8[3])
+static void anywhere(struct solid_stage *stage, int64_t range_q8, int32_t at_q8[3])
 {
     for (int i = 0; i < 3; i++)
         at_q8[i] = clamped_q8(random_in(&stage->random, -range_q8, range_q8));
 }
 
 /* In the scene's bounds, and a little around them. */
-static void in_bounds(struct stage *stage, int32_t at_q8[3])
+static void near_bounds(struct solid_stage *stage, int32_t at_q8[3])
 {
-    const struct lim_box *box = &stage->scene.scene.boxes[0];
-
-    for (int i = 0; i < 3; i++) {
-        const int64_t half_q8 = box->half[i] * INT64_C(260);
-        at_q8[i] = clamped_q8(box->centre[i] * INT64_C(256) + random_in(&stage->random, -half_q8, half_q8));
-    }
+    solid_stage_in_bounds(stage, 260, at_q8);
 }
 
-static const struct solid_polygon *any_polygon(struct stage *stage)
+static const struct solid_polygon *any_polygon(struct solid_stage *stage)
 {
     return &stage->list.polygons[random_u64(&stage->random) % stage->list.count];
 }
 
 /* A corner, a point of an edge or of the inside, rounded, as far as a few bits off it. */
-static void at_polygon(struct stage *stage, const struct solid_polygon *polygon, int32_t at_q8[3])
+static void at_polygon(struct solid_stage *stage, const struct solid_polygon *polygon, int32_t at_q8[3])
 {
     const struct lim_vertex *vertices = stage->scene.scene.vertices;
     const size_t k = random_u64(&stage->random) % polygon->count;
@@ -99,7 +62,7 @@ static void at_polygon(struct stage *stage, const struct solid_polygon *polygon,
 }
 
 /* Onto the polygon's plane along an axis, give or take a bit. */
-static void onto_plane(struct stage *stage, const struct solid_polygon *polygon, int32_t at_q8[3])
+static void onto_plane(struct solid_stage *stage, const struct solid_polygon *polygon, int32_t at_q8[3])
 {
     const int axis = (int)(random_u64(&stage->random) % 3);
 
@@ -110,7 +73,7 @@ static void onto_plane(struct stage *stage, const struct solid_polygon *polygon,
 }
 
 /* To somewhere beyond a point, so that the segment goes through it exactly. */
-static void through(struct stage *stage, struct segment *segment, const int32_t at_q8[3])
+static void through(struct solid_stage *stage, struct segment *segment, const int32_t at_q8[3])
 {
     const int64_t times = random_in(&stage->random, 1, 3);
 
@@ -120,15 +83,15 @@ static void through(struct stage *stage, struct segment *segment, const int32_t 
 
 enum { KINDS = 10 };
 
-static struct segment make_segment(struct stage *stage, int kind)
+static struct segment make_segment(struct solid_stage *stage, int kind)
 {
     const struct solid_polygon *polygon = any_polygon(stage);
     struct segment segment;
     int32_t at_q8[3];
     const int axis = (int)(random_u64(&stage->random) % 3);
 
-    in_bounds(stage, segment.from_q8);
-    in_bounds(stage, segment.to_q8);
+    near_bounds(stage, segment.from_q8);
+    near_bounds(stage, segment.to_q8);
     at_polygon(stage, polygon, at_q8);
     switch (kind) {
     case 1: /* through a corner, an edge, an inside */
@@ -178,7 +141,7 @@ static struct segment make_segment(struct stage *stage, int kind)
 }
 
 /* Not behind the plane that it is in front of when it begins, and not beyond the crossing. */
-static bool is_well_placed(const struct stage *stage, const struct segment *segment, const struct lim_hit *hit,
+static bool is_well_placed(const struct solid_stage *stage, const struct segment *segment, const struct lim_hit *hit,
                            const struct solid_ray *ray)
 {
     const double part = (double)ray->num / (double)ray->den;
@@ -210,7 +173,8 @@ static bool is_well_placed(const struct stage *stage, const struct segment *segm
     return well && normal > 0 && fabs(hit->part_q30 / 1073741824.0 - part) < 4e-9;
 }
 
-static void try_segment(const struct stage *stage, const struct segment *segment, uint8_t flags, struct tally *tally)
+static void try_segment(const struct solid_stage *stage, const struct segment *segment, uint8_t flags,
+                        struct tally *tally)
 {
     struct lim_hit hit;
     const struct solid_ray ray = solid_trace(&stage->list, segment->from_q8, segment->to_q8, flags & LIM_STOP_BACKS);
@@ -227,7 +191,7 @@ static void try_segment(const struct stage *stage, const struct segment *segment
                met, met > 0 ? (unsigned)hit.record : 0, ray.hit, (double)ray.num / (double)ray.den);
 }
 
-static void try_stage(struct stage *stage, int whole, const char *name)
+static void try_stage(struct solid_stage *stage, int whole)
 {
     struct tally tally = {0};
 
@@ -235,7 +199,7 @@ static void try_stage(struct stage *stage, int whole, const char *name)
         const struct segment segment = make_segment(stage, k % KINDS);
         try_segment(stage, &segment, k / KINDS % 2 ? LIM_STOP_BACKS : 0, &tally);
     }
-    printf("# %s: %zu polygons, %zu segments, %zu hits, %zu wrong\n", name, stage->list.count, tally.segments,
+    printf("# %s: %zu polygons, %zu segments, %zu hits, %zu wrong\n", stage->name, stage->list.count, tally.segments,
            tally.hits, tally.wrong);
     assert_int_equal(tally.wrong, 0);
     assert_true(tally.hits > tally.segments / 10);
@@ -243,17 +207,11 @@ static void try_stage(struct stage *stage, int whole, const char *name)
 
 static void try_leaves(const char *path, enum tree_kind tree, enum mesh_leaves leaves, int whole)
 {
-    const struct compile_options options = {
-        .tolerance_units = 0.5, .splitter = "fewest", .tree = tree, .mesh_leaves = leaves, .unlit = true};
-    struct stage stage = {0};
-    struct error err;
-    char name[200];
+    struct solid_stage stage = {0};
 
-    if (!compile_model(path, &options, &stage.scene, &err)) fail_msg("%s", err.text);
-    stage_begin(&stage, 77 + (uint64_t)tree);
-    snprintf(name, sizeof name, "%s, %s", path, tree_names[tree]);
-    try_stage(&stage, whole, name);
-    stage_end(&stage);
+    solid_stage_model(&stage, path, tree, leaves);
+    try_stage(&stage, whole);
+    solid_stage_end(&stage);
 }
 
 static void try_model(const char *path, enum tree_kind tree, int whole)
@@ -281,8 +239,8 @@ static void solids_and_crossing_polygons_do(void **state)
 static void a_level_does(void **state)
 {
     (void)state;
-    try_model(E1M1, TREE_BSP, 20000);
-    try_model(E1M1, TREE_AXIS, 10000);
+    try_model(SOLID_E1M1, TREE_BSP, 20000);
+    try_model(SOLID_E1M1, TREE_AXIS, 10000);
 }
 
 static void random_buildings_do(void **state)
@@ -291,15 +249,10 @@ static void random_buildings_do(void **state)
 
     (void)state;
     for (int k = 0; k < 8; k++) {
-        struct room_scene rooms;
-        struct stage stage = {0};
-        struct error err;
-        room_scene_random(&rooms, &random);
-        if (!room_scene_compile(&rooms, PORTALS_OFF, NULL, &stage.scene, &err)) fail_msg("%s", err.text);
-        stage_begin(&stage, 500 + (uint64_t)k);
-        try_stage(&stage, 4000, "a random building");
-        stage_end(&stage);
-        room_scene_free(&rooms);
+        struct solid_stage stage = {0};
+        solid_stage_building(&stage, &random, (uint64_t)k);
+        try_stage(&stage, 4000);
+        solid_stage_end(&stage);
     }
 }
 
@@ -311,21 +264,15 @@ static void nothing_leaves_a_closed_room(void **state)
 
     (void)state;
     for (int k = 0; k < effort(20); k++) {
-        const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest"};
         struct closed_scene closed;
-        struct stage stage = {0};
-        struct error err;
+        struct solid_stage stage = {0};
         struct tally tally = {0};
-        closed_scene_make(&closed, &random);
-        if (!compile_part(&closed.model, NULL, &options, &stage.scene, &err)) fail_msg("%s", err.text);
-        stage_begin(&stage, 7000 + (uint64_t)k);
+        solid_stage_closed(&stage, &closed, &random, (uint64_t)k);
         for (int i = 0; i < 5000; i++) {
             const struct viewpoint view = closed_scene_viewpoint(&closed, &random);
-            const struct grid *grid = &stage.scene.grid;
             struct segment segment;
             struct lim_hit hit;
-            for (int a = 0; a < 3; a++)
-                segment.from_q8[a] = (int32_t)lround((view.eye_m[a] - grid->origin_m[a]) * grid->units_per_m * 256);
+            solid_place_q8(&stage.scene, view.eye_m, segment.from_q8);
             anywhere(&stage, LIM_EYE_MAX_Q8 / 4, segment.to_q8);
             segment.to_q8[i % 3] = i % 4 < 2 ? LIM_EYE_MAX_Q8 / 8 : -LIM_EYE_MAX_Q8 / 8;
             if (i % 2) { /* for a point of an edge, or a corner */
@@ -341,7 +288,7 @@ static void nothing_leaves_a_closed_room(void **state)
             if (i < 200) try_segment(&stage, &segment, 0, &tally);
         }
         wrong += tally.wrong;
-        stage_end(&stage);
+        solid_stage_end(&stage);
         closed_scene_free(&closed);
     }
     printf("# %zu ways out of closed rooms, %zu not stopped\n", segments, out);
@@ -359,11 +306,11 @@ static void nothing_leaves_a_turned_box(void **state)
     for (int k = 0; k < effort(40); k++) {
         const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .tree = TREE_BSP};
         struct model model = {.points = NULL};
-        struct stage stage = {0};
+        struct solid_stage stage = {0};
         struct error err;
         tiny_tiled_box(&model, &random);
         if (!compile_part(&model, NULL, &options, &stage.scene, &err)) fail_msg("%s", err.text);
-        stage_begin(&stage, 9000 + (uint64_t)k);
+        solid_stage_begin(&stage, 9000 + (uint64_t)k);
         for (int i = 0; i < 5000; i++) {
             struct segment segment;
             struct lim_hit hit;
@@ -376,7 +323,7 @@ static void nothing_leaves_a_turned_box(void **state)
             out += lim_trace(&stage.solid, segment.from_q8, segment.to_q8, LIM_STOP_BACKS, &hit) != 1;
             segments++;
         }
-        stage_end(&stage);
+        solid_stage_end(&stage);
         model_free(&model);
     }
     printf("# %zu ways out of turned boxes, %zu not stopped\n", segments, out);
@@ -385,7 +332,7 @@ static void nothing_leaves_a_turned_box(void **state)
 
 static void what_is_out_of_range_is_refused(void **state)
 {
-    struct stage stage = {0};
+    struct solid_stage stage = {0};
     const struct compile_options options = {.tolerance_units = 0.5, .splitter = "fewest", .tree = TREE_BSP};
     struct compile_options mesh = options;
     struct compiled triangles;
@@ -395,13 +342,13 @@ static void what_is_out_of_range_is_refused(void **state)
 
     (void)state;
     if (!compile_model("sim/scenes/teapot.obj", &options, &stage.scene, &err)) fail_msg("%s", err.text);
-    stage_begin(&stage, 1);
+    solid_stage_begin(&stage, 1);
     assert_int_equal(lim_trace(&stage.solid, from_q8, far_q8, 0, &hit), LIM_ERR_CAMERA);
     assert_int_equal(lim_trace(&stage.solid, far_q8, from_q8, 0, &hit), LIM_ERR_CAMERA);
     assert_int_equal(lim_solid_init(&stage.solid, &stage.scene.scene, stage.stack,
                                     stage.scene.scene.limits.depth * sizeof(lim_index) - 1),
                      LIM_ERR_MEMORY);
-    stage_end(&stage);
+    solid_stage_end(&stage);
     mesh.tree = TREE_MESH;
     if (!compile_model("sim/scenes/teapot.obj", &mesh, &triangles, &err)) fail_msg("%s", err.text);
     assert_int_equal(lim_solid_init(&stage.solid, &triangles.scene, &hit, sizeof hit), LIM_ERR_SCENE);

@@ -3,24 +3,16 @@
  * Walks that a scene is explored on: no way from one eye to the next crosses a polygon, no stride is too long, all of a
  * building that hangs together is seen, and the same comes out again. */
 #include "cameras/walk_path.h"
-#include "compiler/compile.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/room_scene.h"
-#include "unit/collide/solid_oracle.h"
+#include "unit/collide/solid_stage.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#define E1M1 "/usr/share/games/doom/freedoom1.wad:E1M1"
 static const struct walk_wish PERSON = {
     .body = {.eye_m = 1.5, .height_m = 1.7, .radius_m = 0.25, .step_m = 0.3}, .frames = 600, .stride_m = 0.25};
-
-static void to_q8(const struct compiled *scene, const double at_m[3], int32_t at_q8[3])
-{
-    for (int i = 0; i < 3; i++)
-        at_q8[i] = (int32_t)lround((at_m[i] - scene->grid.origin_m[i]) * scene->grid.units_per_m * 256);
-}
 
 /* Steps are walked over within a frame: the eye's way is tried at the higher of both. Screens with one side are passed
  * from behind. */
@@ -35,8 +27,8 @@ static void assert_walks(const struct compiled *scene, const struct walk_wish *w
         const double *a = path->frames[i - 1].eye_m, *b = path->frames[i].eye_m;
         const double from_m[3] = {a[0], fmax(a[1], b[1]), a[2]}, to_m[3] = {b[0], fmax(a[1], b[1]), b[2]};
         int32_t from_q8[3], there_q8[3];
-        to_q8(scene, from_m, from_q8);
-        to_q8(scene, to_m, there_q8);
+        solid_place_q8(scene, from_m, from_q8);
+        solid_place_q8(scene, to_m, there_q8);
         crossed += solid_trace(&list, from_q8, there_q8, false).hit;
         assert_true(hypot(b[0] - a[0], b[2] - a[2]) <= wish->stride_m * 1.001);
         way_m += hypot(b[0] - a[0], b[2] - a[2]);
@@ -98,7 +90,7 @@ static void a_level_is_walked_through(void **state)
     struct error err;
 
     (void)state;
-    if (!compile_model(E1M1, &options, &scene, &err)) fail_msg("%s", err.text);
+    if (!compile_model(SOLID_E1M1, &options, &scene, &err)) fail_msg("%s", err.text);
     struct camera_path path = walk(&scene, &player, &found);
     assert_walks(&scene, &player, &path);
     printf("# E1M1: %zu of %zu places seen, %.0f m\n", found.seen, found.places, found.way_m);

@@ -2,39 +2,32 @@
  *
  * A walker in a hall that was built for it: it stands, slides, climbs what it should, falls, keeps out of what it
  * should; and at random, through buildings and a level, it is never in a wall. */
-#include "collide.h"
-#include "compiler/compile.h"
 #include "levels/level_cameras.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/room_scene.h"
-#include "unit/collide/solid_oracle.h"
+#include "unit/collide/solid_stage.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#define E1M1 "/usr/share/games/doom/freedoom1.wad:E1M1"
 static const double RADIUS_M = 0.3, HEIGHT_M = 1.7, STEP_M = 0.3, STRIDE_M = 0.05;
 static const double UNIT_M = 1 / 3276.0; /* of the hall's grid, about */
 
 struct stage {
-    struct room_scene room;
-    struct compiled scene;
-    struct solid_list list;
-    struct lim_solid solid;
-    lim_index *stack;
+    struct solid_stage in;
     struct lim_walker walker;
 };
 
 static double q8_of(const struct stage *stage, double length_m)
 {
-    return length_m * stage->scene.grid.units_per_m * 256;
+    return length_m * stage->in.scene.grid.units_per_m * 256;
 }
 
 static double place_m(const struct stage *stage, int axis)
 {
-    return stage->walker.at_q8[axis] / 256.0 / stage->scene.grid.units_per_m + stage->scene.grid.origin_m[axis];
+    return stage->walker.at_q8[axis] / 256.0 / stage->in.scene.grid.units_per_m + stage->in.scene.grid.origin_m[axis];
 }
 
 static void put_walker(struct stage *stage, double x_m, double y_m, double z_m)
@@ -45,9 +38,7 @@ static void put_walker(struct stage *stage, double x_m, double y_m, double z_m)
                                         .height_q8 = (int32_t)q8_of(stage, HEIGHT_M),
                                         .step_q8 = (int32_t)q8_of(stage, STEP_M),
                                         .gravity_q8 = (int32_t)q8_of(stage, 0.01)};
-    for (int i = 0; i < 3; i++)
-        stage->walker.at_q8[i] =
-            (int32_t)lround((at_m[i] - stage->scene.grid.origin_m[i]) * stage->scene.grid.units_per_m * 256);
+    solid_place_q8(&stage->in.scene, at_m, stage->walker.at_q8);
 }
 
 static bool is_walker_in(const struct stage *stage)
@@ -56,15 +47,16 @@ static bool is_walker_in(const struct stage *stage)
     const int32_t half_q8[3] = {walker->radius_q8, walker->height_q8 / 2, walker->radius_q8};
     const int32_t at_q8[3] = {walker->at_q8[0], walker->at_q8[1] + half_q8[1], walker->at_q8[2]};
 
-    for (size_t k = 0; k < stage->list.count; k++)
-        if (solid_overlaps(&stage->list, &stage->list.polygons[k], at_q8, half_q8)) return true;
+    for (size_t k = 0; k < stage->in.list.count; k++)
+        if (solid_overlaps(&stage->in.list, &stage->in.list.polygons[k], at_q8, half_q8)) return true;
     return false;
 }
 
 static void move(struct stage *stage, double x_m, double z_m)
 {
     assert_int_equal(
-        lim_walker_move(&stage->solid, &stage->walker, (int32_t)q8_of(stage, x_m), (int32_t)q8_of(stage, z_m)), LIM_OK);
+        lim_walker_move(&stage->in.solid, &stage->walker, (int32_t)q8_of(stage, x_m), (int32_t)q8_of(stage, z_m)),
+        LIM_OK);
     assert_false(is_walker_in(stage));
 }
 
@@ -74,6 +66,13 @@ static void walk(struct stage *stage, double x_m, double z_m, int moves)
 
     for (int i = 0; i < moves; i++)
         move(stage, length > 0 ? STRIDE_M * x_m / length : 0, length > 0 ? STRIDE_M * z_m / length : 0);
+}
+
+/* From the floor at a place along x. */
+static void walk_from(struct stage *stage, double x_m, double z_m, int moves)
+{
+    put_walker(stage, x_m, 0.01, z_m);
+    walk(stage, 1, 0, moves);
 }
 
 static void add_box(struct room_scene *room, double x0, double x1, double y0, double y1, double z0, double z1)
@@ -124,15 +123,13 @@ static void make_hall(struct room_scene *room)
 static int set_up(void **state)
 {
     struct stage *stage = calloc(1, sizeof *stage);
+    struct room_scene room;
     struct error err;
 
-    make_hall(&stage->room);
-    if (!room_scene_compile(&stage->room, PORTALS_OFF, NULL, &stage->scene, &err)) fail_msg("%s", err.text);
-    stage->stack = calloc(stage->scene.scene.limits.depth, sizeof *stage->stack);
-    solid_list_init(&stage->list, &stage->scene.scene);
-    assert_int_equal(lim_solid_init(&stage->solid, &stage->scene.scene, stage->stack,
-                                    stage->scene.scene.limits.depth * sizeof *stage->stack),
-                     LIM_OK);
+    make_hall(&room);
+    if (!room_scene_compile(&room, PORTALS_OFF, NULL, &stage->in.scene, &err)) fail_msg("%s", err.text);
+    room_scene_free(&room);
+    solid_stage_begin(&stage->in, 1);
     *state = stage;
     return 0;
 }
@@ -141,10 +138,7 @@ static int tear_down(void **state)
 {
     struct stage *stage = *state;
 
-    solid_list_free(&stage->list);
-    compiled_free(&stage->scene);
-    room_scene_free(&stage->room);
-    free(stage->stack);
+    solid_stage_end(&stage->in);
     free(stage);
     return 0;
 }
@@ -224,17 +218,14 @@ static void it_climbs_steps_up_to_its_step(void **state)
 {
     struct stage *stage = *state;
 
-    put_walker(stage, 6, 0.01, 3);
-    walk(stage, 1, 0, 50);
+    walk_from(stage, 6, 3, 50);
     assert_near(place_m(stage, 1), 0.25, 3);
     walk(stage, 1, 0, 40);
     assert_near(place_m(stage, 1), 0, 3);
     assert_near(place_m(stage, 0), 6 + 90 * STRIDE_M, 10);
-    put_walker(stage, 6, 0.01, 6);
-    walk(stage, 1, 0, 50);
+    walk_from(stage, 6, 6, 50);
     assert_near(place_m(stage, 1), 0.3, 3);
-    put_walker(stage, 6, 0.01, 9);
-    walk(stage, 1, 0, 50);
+    walk_from(stage, 6, 9, 50);
     assert_near(place_m(stage, 1), 0, 3);
     assert_near(place_m(stage, 0), 8 - RADIUS_M, 3);
 }
@@ -243,8 +234,7 @@ static void it_climbs_stairs_and_comes_down(void **state)
 {
     struct stage *stage = *state;
 
-    put_walker(stage, 11, 0.01, 3);
-    walk(stage, 1, 0, 1);
+    walk_from(stage, 11, 3, 1);
     for (int i = 0; i < 70; i++) {
         walk(stage, 1, 0, 1);
         assert_true(stage->walker.stands);
@@ -269,17 +259,13 @@ static void it_goes_where_it_fits(void **state)
 {
     struct stage *stage = *state;
 
-    put_walker(stage, 10, 0.01, 9);
-    walk(stage, 1, 0, 100);
+    walk_from(stage, 10, 9, 100);
     assert_near(place_m(stage, 0), 12 - RADIUS_M, 3); /* its head does not */
-    put_walker(stage, 10, 0.01, 12);
-    walk(stage, 1, 0, 80);
+    walk_from(stage, 10, 12, 80);
     assert_near(place_m(stage, 0), 14, 10);
-    put_walker(stage, 3, 0.01, 14.35);
-    walk(stage, 1, 0, 80);
+    walk_from(stage, 3, 14.35, 80);
     assert_near(place_m(stage, 0), 7, 10);
-    put_walker(stage, 3, 0.01, 15.75);
-    walk(stage, 1, 0, 80);
+    walk_from(stage, 3, 15.75, 80);
     assert_near(place_m(stage, 0), 5 - RADIUS_M, 3);
 }
 
@@ -287,12 +273,10 @@ static void it_climbs_slopes_that_are_not_steep(void **state)
 {
     struct stage *stage = *state;
 
-    put_walker(stage, 13, 0.01, 15);
-    walk(stage, 1, 0, 80);
+    walk_from(stage, 13, 15, 80);
     assert_true(place_m(stage, 1) > 0.8);
     assert_true(stage->walker.stands);
-    put_walker(stage, 13, 0.01, 18);
-    walk(stage, 1, 0, 80);
+    walk_from(stage, 13, 18, 80);
     assert_true(place_m(stage, 1) < STEP_M);
 }
 
@@ -318,30 +302,28 @@ static void what_is_out_of_range_is_refused(void **state)
     put_walker(stage, 3, 0.01, 3);
     const struct lim_walker walker = stage->walker;
     struct lim_walker other = walker;
-    assert_int_equal(lim_walker_move(&stage->solid, &other, 1 << 20, 0), LIM_ERR_CAMERA);
+    assert_int_equal(lim_walker_move(&stage->in.solid, &other, 1 << 20, 0), LIM_ERR_CAMERA);
     assert_memory_equal(&other, &walker, sizeof other);
     other.at_q8[2] = INT32_MAX;
-    assert_int_equal(lim_walker_move(&stage->solid, &other, 0, 1), LIM_ERR_CAMERA);
+    assert_int_equal(lim_walker_move(&stage->in.solid, &other, 0, 1), LIM_ERR_CAMERA);
     other = walker;
     other.radius_q8 = 0;
-    assert_int_equal(lim_walker_move(&stage->solid, &other, 1, 0), LIM_ERR_CAMERA);
+    assert_int_equal(lim_walker_move(&stage->in.solid, &other, 1, 0), LIM_ERR_CAMERA);
     other = walker;
     other.step_q8 = other.height_q8;
-    assert_int_equal(lim_walker_move(&stage->solid, &other, 1, 0), LIM_ERR_CAMERA);
+    assert_int_equal(lim_walker_move(&stage->in.solid, &other, 1, 0), LIM_ERR_CAMERA);
     other = walker;
     other.at_q8[1] = 1 - LIM_BODY_MAX_Q8; /* below everything: it falls out of the range and stays */
     other.fall_q8 = LIM_FALL_MAX_Q8;
     other.at_q8[0] = LIM_BODY_MAX_Q8 - 1;
-    assert_int_equal(lim_walker_move(&stage->solid, &other, 1, 0), LIM_ERR_CAMERA);
+    assert_int_equal(lim_walker_move(&stage->in.solid, &other, 1, 0), LIM_ERR_CAMERA);
     assert_int_equal(other.at_q8[0], LIM_BODY_MAX_Q8 - 1);
 }
 
 /* From a thing of the map to anywhere: closed sectors, so it is in no polygon, ever. */
 static void it_is_never_in_a_wall_of_a_level(void **state)
 {
-    const struct compile_options options = {
-        .tolerance_units = 0.5, .splitter = "fewest", .tree = TREE_BSP, .unlit = true};
-    struct stage stage = {.solid = {NULL, NULL}};
+    struct stage stage = {0};
     struct random random = {17};
     struct level_camera *cameras;
     struct error err;
@@ -349,13 +331,8 @@ static void it_is_never_in_a_wall_of_a_level(void **state)
     double gone_m = 0;
 
     (void)state;
-    if (!compile_model(E1M1, &options, &stage.scene, &err) || !level_cameras_read(E1M1, &cameras, &count, &err))
-        fail_msg("%s", err.text);
-    stage.stack = calloc(stage.scene.scene.limits.depth, sizeof *stage.stack);
-    solid_list_init(&stage.list, &stage.scene.scene);
-    assert_int_equal(lim_solid_init(&stage.solid, &stage.scene.scene, stage.stack,
-                                    stage.scene.scene.limits.depth * sizeof *stage.stack),
-                     LIM_OK);
+    solid_stage_model(&stage.in, SOLID_E1M1, TREE_BSP, MESH_LEAVES_NONE);
+    if (!level_cameras_read(SOLID_E1M1, &cameras, &count, &err)) fail_msg("%s", err.text);
     for (int k = 0; k < effort(60); k++) {
         const struct level_camera *camera = &cameras[(size_t)k * 7 % count];
         double angle = random_unit(&random) * 6.2831853;
@@ -366,7 +343,7 @@ static void it_is_never_in_a_wall_of_a_level(void **state)
         }
         for (int i = 0; i < 150; i++) {
             const double x_m = place_m(&stage, 0), z_m = place_m(&stage, 2), stride_m = 0.3;
-            if (lim_walker_move(&stage.solid, &stage.walker, (int32_t)q8_of(&stage, stride_m * sin(angle)),
+            if (lim_walker_move(&stage.in.solid, &stage.walker, (int32_t)q8_of(&stage, stride_m * sin(angle)),
                                 (int32_t)q8_of(&stage, stride_m * cos(angle))))
                 fail_msg("it left the range");
             const double way_m = hypot(place_m(&stage, 0) - x_m, place_m(&stage, 2) - z_m);
@@ -380,9 +357,7 @@ static void it_is_never_in_a_wall_of_a_level(void **state)
     assert_int_equal(in, 0);
     assert_true(moves > (size_t)effort(30) * 150);
     free(cameras);
-    free(stage.stack);
-    solid_list_free(&stage.list);
-    compiled_free(&stage.scene);
+    solid_stage_end(&stage.in);
 }
 
 int main(void)

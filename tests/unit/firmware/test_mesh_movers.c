@@ -14,21 +14,15 @@
 enum { RINGS = 12, AROUND = 20, BALL_FACES = 2 * AROUND * (RINGS - 1) };
 
 static const double UPRIGHT[3] = {0, 1, 0}, SLANTED[3] = {0.3, 1, 0.2};
-static const double ROOM_LOW_M[3] = {-4, 0, -4}, ROOM_HIGH_M[3] = {4, 3, 4};
 
 static const enum lim_method orders[] = {LIM_NEAREST_FIRST, LIM_SCANLINE, LIM_PAINTER};
 enum { ORDERS = sizeof orders / sizeof *orders };
 
-/* As in test_movers.c: two halves of a room, and a wall between them. */
+/* Whose dense parts are mesh leaves. */
 static void add_rooms(struct mover_rig *rig, bool doorway)
 {
-    struct model *model = &rig->model;
-
     rig->mesh_leaves = MESH_LEAVES_ALL;
-    boxes_add_room(model, ROOM_LOW_M, ROOM_HIGH_M);
-    boxes_add_solid(model, (double[3]){-4, 0, -0.1}, (double[3]){doorway ? -0.5 : 4, 3, 0.1});
-    if (doorway) boxes_add_solid(model, (double[3]){0.5, 0, -0.1}, (double[3]){4, 3, 0.1});
-    if (doorway) boxes_add_solid(model, (double[3]){-0.5, 2, -0.1}, (double[3]){0.5, 3, 0.1});
+    mover_rig_add_rooms(rig, doorway);
 }
 
 static void ball_point(double radius_m, const double at_m[3], int ring, int turn, double out[3])
@@ -64,23 +58,6 @@ static void add_moving_ball(struct mover_rig *rig, double radius_m, const struct
     mover_rig_moves(rig, pose);
 }
 
-static void add_moving_box(struct mover_rig *rig, double x_m, double y_m, double z_m, const struct model_pose *pose)
-{
-    boxes_add_solid(&rig->model, (double[3]){-x_m, -y_m, -z_m}, (double[3]){x_m, y_m, z_m});
-    mover_rig_moves(rig, pose);
-}
-
-static void assert_right(const struct mover_rig *rig, double ppm)
-{
-    const struct compare_counts *counts = &rig->counts;
-    const struct lim_mover_stats *movers = &mover_rig_stats(rig)->movers;
-
-    if (1e6 * (double)counts->wrong > ppm * (double)counts->pixels || counts->holes)
-        fail_msg("%zu of %zu pixels wrong, %zu holes", counts->wrong, counts->pixels, counts->holes);
-    assert_int_equal(movers->forced, 0);
-    assert_int_equal(movers->left_out, 0);
-}
-
 static void assert_is_leaf(const struct mover_rig *rig, size_t mover)
 {
     const struct lim_scene *object = &rig->moving.objects[mover].scene.scene;
@@ -105,13 +82,12 @@ static size_t ball_pixels(enum lim_method method, double z_m)
     const struct model_pose pose = mover_rig_pose(0.3, 1.2, z_m, SLANTED, 0.4);
 
     add_rooms(&rig, false);
-    mover_rig_stands(&rig);
     add_moving_ball(&rig, 0.3, &pose);
     mover_rig_compile(&rig, MOVING_CLIPPED, method, NULL);
     assert_is_leaf(&rig, 0);
     mover_rig_view(&rig, (double[3]){-0.6, 1.9, 3}, (double[3]){0, 1.2, 0});
     const size_t pixels = mover_rig_pixels(&rig, 1);
-    assert_right(&rig, 500);
+    mover_rig_assert_right(&rig, 500);
     mover_rig_free(&rig);
     return pixels;
 }
@@ -134,12 +110,11 @@ static void in_a_doorway_it_is_seen_from_both_sides(void **state)
         struct mover_rig rig = {0};
         const struct model_pose pose = mover_rig_pose(0.3, 1, 0.05, SLANTED, 0.7);
         add_rooms(&rig, true);
-        mover_rig_stands(&rig);
         add_moving_ball(&rig, 0.45, &pose); /* reaches into the door's post */
         mover_rig_compile(&rig, MOVING_CLIPPED, orders[m], NULL);
         assert_is_leaf(&rig, 0);
         view_around(&rig, 3, 1.6);
-        assert_right(&rig, 500);
+        mover_rig_assert_right(&rig, 500);
         mover_rig_free(&rig);
     }
 }
@@ -153,14 +128,13 @@ static void through_one_another_each_is_where_it_is(void **state)
         const struct model_pose one = mover_rig_pose(0, 1.2, 1.5, SLANTED, 0.9);
         const struct model_pose two = mover_rig_pose(0.05, 1.2, 1.5, SLANTED, 2.5);
         add_rooms(&rig, true);
-        mover_rig_stands(&rig);
         add_moving_ball(&rig, 0.3, &one);
-        add_moving_box(&rig, 0.7, 0.12, 0.1, &two);
+        mover_rig_add_box(&rig, 0.7, 0.12, 0.1, &two);
         mover_rig_compile(&rig, MOVING_CLIPPED, orders[m], NULL);
         assert_is_leaf(&rig, 0);
         for (int i = 0; i < 6; i++)
             mover_rig_view(&rig, (double[3]){2 * sin(i + 0.1), 1.6, 1.5 + 2 * cos(i + 0.1)}, (double[3]){0, 1.2, 1.5});
-        assert_right(&rig, 1000);
+        mover_rig_assert_right(&rig, 1000);
         mover_rig_free(&rig);
     }
 }
@@ -177,13 +151,13 @@ static void around_a_leaf_that_stands_still_they_are_before_or_behind(void **sta
             add_rooms(&rig, true);
             add_ball(&rig.model, 0.5, (const double[3]){0, 0.8, 2});
             mover_rig_stands(&rig);
-            add_moving_box(&rig, 0.2, 0.2, 0.2, &pose);
+            mover_rig_add_box(&rig, 0.2, 0.2, 0.2, &pose);
             mover_rig_compile(&rig, MOVING_CLIPPED, orders[m], NULL);
             assert_true(rig.scene.scene.limits.leaf_polygons > 0);
             for (int k = 0; k < 8; k++)
                 mover_rig_view(&rig, (double[3]){1.9 * sin(k + 0.1), 1.5, 2 + 1.9 * cos(k + 0.1)},
                                (double[3]){0, 0.9, 2});
-            assert_right(&rig, 500);
+            mover_rig_assert_right(&rig, 500);
             assert_int_equal(mover_rig_stats(&rig)->movers.unsorted, 0);
             mover_rig_free(&rig);
         }
@@ -197,7 +171,6 @@ static void room_for_too_few(void **state)
     (void)state;
 
     add_rooms(&rig, false);
-    mover_rig_stands(&rig);
     add_moving_ball(&rig, 0.3, &pose);
     mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
     struct lim_movers_limits limits = rig.moving.limits;
@@ -205,7 +178,7 @@ static void room_for_too_few(void **state)
     mover_rig_limit(&rig, &limits);
     mover_rig_view(&rig, (double[3]){-0.6, 1.9, 3}, (double[3]){0, 1.2, 0});
     assert_true(mover_rig_pixels(&rig, 1) > 500);
-    assert_right(&rig, 500);
+    mover_rig_assert_right(&rig, 500);
     limits.leaf_vertices--;
     mover_rig_limit(&rig, &limits);
     mover_rig_view(&rig, (double[3]){-0.6, 1.9, 3}, (double[3]){0, 1.2, 0});

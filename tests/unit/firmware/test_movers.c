@@ -12,38 +12,6 @@
 #include <string.h>
 
 static const double UPRIGHT[3] = {0, 1, 0}, SLANTED[3] = {0.3, 1, 0.2};
-static const double ROOM_LOW_M[3] = {-4, 0, -4}, ROOM_HIGH_M[3] = {4, 3, 4};
-
-/* A room of 8 x 3 x 8 m, cut in two by a wall from z = -0.1 to 0.1 with a doorway of a metre in its middle, or with
- * none. */
-static void add_rooms(struct mover_rig *rig, bool doorway)
-{
-    struct model *model = &rig->model;
-
-    boxes_add_room(model, ROOM_LOW_M, ROOM_HIGH_M);
-    boxes_add_solid(model, (double[3]){-4, 0, -0.1}, (double[3]){doorway ? -0.5 : 4, 3, 0.1});
-    if (doorway) boxes_add_solid(model, (double[3]){0.5, 0, -0.1}, (double[3]){4, 3, 0.1});
-    if (doorway) boxes_add_solid(model, (double[3]){-0.5, 2, -0.1}, (double[3]){0.5, 3, 0.1});
-    mover_rig_stands(rig);
-}
-
-/* A box around the origin that moves to a pose. */
-static void add_box(struct mover_rig *rig, double x_m, double y_m, double z_m, const struct model_pose *pose)
-{
-    boxes_add_solid(&rig->model, (double[3]){-x_m, -y_m, -z_m}, (double[3]){x_m, y_m, z_m});
-    mover_rig_moves(rig, pose);
-}
-
-static void assert_right(const struct mover_rig *rig, double ppm)
-{
-    const struct compare_counts *counts = &rig->counts;
-    const struct lim_mover_stats *movers = &mover_rig_stats(rig)->movers;
-
-    if (1e6 * (double)counts->wrong > ppm * (double)counts->pixels || counts->holes)
-        fail_msg("%zu of %zu pixels wrong, %zu holes", counts->wrong, counts->pixels, counts->holes);
-    assert_int_equal(movers->forced, 0);
-    assert_int_equal(movers->left_out, 0);
-}
 
 /* A cube of 60 cm at z, in a closed half of the room, seen from z = 3. */
 static size_t cube_pixels(double z_m, uint32_t *pieces)
@@ -51,13 +19,13 @@ static size_t cube_pixels(double z_m, uint32_t *pieces)
     struct mover_rig rig = {0};
     const struct model_pose pose = mover_rig_pose(0.3, 1.2, z_m, UPRIGHT, 0);
 
-    add_rooms(&rig, false);
-    add_box(&rig, 0.3, 0.3, 0.3, &pose);
+    mover_rig_add_rooms(&rig, false);
+    mover_rig_add_box(&rig, 0.3, 0.3, 0.3, &pose);
     mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
     mover_rig_view(&rig, (double[3]){-0.6, 1.9, 3}, (double[3]){0, 1.2, 0});
     const size_t pixels = mover_rig_pixels(&rig, 1);
     *pieces = mover_rig_stats(&rig)->movers.pieces;
-    assert_right(&rig, 500);
+    mover_rig_assert_right(&rig, 500);
     mover_rig_free(&rig);
     return pixels;
 }
@@ -93,8 +61,8 @@ static void a_face_in_the_plane_of_a_wall_is_seen(void **state)
     const struct model_pose pose = mover_rig_pose(0, 1.2, -0.2, UPRIGHT, 0);
     (void)state;
 
-    add_rooms(&rig, false);
-    add_box(&rig, 0.3, 0.3, 0.3, &pose);
+    mover_rig_add_rooms(&rig, false);
+    mover_rig_add_box(&rig, 0.3, 0.3, 0.3, &pose);
     mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
     mover_rig_view(&rig, (double[3]){0, 1.5, 3}, (double[3]){0, 1.2, 0});
     assert_in_range(mover_rig_pixels(&rig, 1), 300, 450);
@@ -107,15 +75,15 @@ static void in_a_doorway_it_is_seen_from_both_sides(void **state)
     const struct model_pose pose = mover_rig_pose(0.3, 1, 0.05, SLANTED, 0.7);
     (void)state;
 
-    add_rooms(&rig, true);
-    add_box(&rig, 0.4, 0.5, 0.4, &pose); /* reaches into the door's post */
+    mover_rig_add_rooms(&rig, true);
+    mover_rig_add_box(&rig, 0.4, 0.5, 0.4, &pose); /* reaches into the door's post */
     mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
     for (int i = 0; i < 12; i++) {
         const double angle = i * 0.5236 + 0.1;
         mover_rig_view(&rig, (double[3]){3 * sin(angle), 1.6, 3 * cos(angle)}, (double[3]){0, 1, 0});
         if (fabs(cos(angle)) > 0.9) assert_true(mover_rig_pixels(&rig, 1) > 400);
     }
-    assert_right(&rig, 500);
+    mover_rig_assert_right(&rig, 500);
     mover_rig_free(&rig);
 }
 
@@ -126,10 +94,10 @@ static void add_crossing(struct mover_rig *rig)
     const struct model_pose two = mover_rig_pose(0.05, 1.4, 1.5, SLANTED, 2.5);
     const struct model_pose three = mover_rig_pose(0, 1.45, 1.55, (double[3]){1, 0.2, 0}, 0.4);
 
-    add_rooms(rig, true);
-    add_box(rig, 0.9, 0.15, 0.15, &one);
-    add_box(rig, 0.9, 0.12, 0.2, &two);
-    add_box(rig, 0.2, 0.8, 0.1, &three);
+    mover_rig_add_rooms(rig, true);
+    mover_rig_add_box(rig, 0.9, 0.15, 0.15, &one);
+    mover_rig_add_box(rig, 0.9, 0.12, 0.2, &two);
+    mover_rig_add_box(rig, 0.2, 0.8, 0.1, &three);
 }
 
 static void view_crossing(struct mover_rig *rig)
@@ -151,7 +119,7 @@ static void through_one_another_they_are_split(void **state)
     assert_true(mover_rig_stats(&rig)->movers.pieces > 0);
     assert_int_equal(mover_rig_stats(&rig)->newell.comparisons, 0); /* by the tree of one of them */
     assert_int_equal(mover_rig_stats(&rig)->movers.forced + mover_rig_stats(&rig)->newell.forced, 0);
-    assert_right(&rig, 600);
+    mover_rig_assert_right(&rig, 600);
     mover_rig_free(&rig);
 }
 
@@ -181,13 +149,13 @@ static void by_its_centre_it_is_right_in_free_space(void **state)
                             far = mover_rig_pose(0, 1.2, 1, SLANTED, 1.9);
     (void)state;
 
-    add_rooms(&rig, false);
-    add_box(&rig, 0.3, 0.3, 0.3, &far);
-    add_box(&rig, 0.3, 0.3, 0.3, &near);
+    mover_rig_add_rooms(&rig, false);
+    mover_rig_add_box(&rig, 0.3, 0.3, 0.3, &far);
+    mover_rig_add_box(&rig, 0.3, 0.3, 0.3, &near);
     mover_rig_compile(&rig, MOVING_BY_CENTRE, LIM_NEAREST_FIRST, NULL);
     mover_rig_view(&rig, (double[3]){1, 1.5, 3.5}, (double[3]){0.3, 1.2, 1});
     assert_int_equal(mover_rig_stats(&rig)->movers.divided, 0);
-    assert_right(&rig, 600);
+    mover_rig_assert_right(&rig, 600);
     mover_rig_free(&rig);
 }
 
@@ -203,7 +171,7 @@ static void in_any_tree_they_are_right(void **state)
         mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
         view_crossing(&rig);
         assert_int_equal(mover_rig_stats(&rig)->movers.unsorted, 0);
-        assert_right(&rig, 600);
+        mover_rig_assert_right(&rig, 600);
         mover_rig_free(&rig);
     }
 }
@@ -224,7 +192,7 @@ static void add_random_mover(struct mover_rig *rig, struct random *random)
     double corners_m[4][3];
 
     if (random_in(random, 0, 1)) {
-        add_box(rig, 0.1 + random_unit(random), 0.1 + random_unit(random), 0.1 + random_unit(random), &pose);
+        mover_rig_add_box(rig, 0.1 + random_unit(random), 0.1 + random_unit(random), 0.1 + random_unit(random), &pose);
         return;
     }
     for (int k = 0; k < 4; k++)
@@ -252,7 +220,7 @@ static void draw_random(struct random *random, const struct core *core, struct c
     struct mover_rig rig = {0};
     const int count = (int)random_in(random, 1, 5);
 
-    add_rooms(&rig, true);
+    mover_rig_add_rooms(&rig, true);
     add_random_things(&rig, random);
     for (int i = 0; i < count; i++)
         add_random_mover(&rig, random);
@@ -358,9 +326,9 @@ static void a_flag_bends_in_the_wind(void **state)
     const struct model_pose pole = mover_rig_pose(0.1, 1.4, 1.5, SLANTED, 0.2);
     (void)state;
 
-    add_rooms(&rig, true);
+    mover_rig_add_rooms(&rig, true);
     add_flag(&rig, &pose);
-    add_box(&rig, 0.05, 0.9, 0.05, &pole); /* right through it */
+    mover_rig_add_box(&rig, 0.05, 0.9, 0.05, &pole); /* right through it */
     mover_rig_compile(&rig, MOVING_CLIPPED, LIM_NEAREST_FIRST, NULL);
     rig.moving.instances[0].deforms = true;
     assert_true(rig.moving.objects[0].scene.scene.vertex_count <= sizeof vertices / sizeof *vertices);
@@ -376,7 +344,7 @@ static void a_flag_bends_in_the_wind(void **state)
     print_message("a flag: %zu of %zu wrong, %zu holes, %u forced, %u splits\n", rig.counts.wrong, rig.counts.pixels,
                   rig.counts.holes, (unsigned)forced, (unsigned)mover_rig_stats(&rig)->newell.splits);
     assert_int_equal(forced, 0);
-    assert_right(&rig, 400);
+    mover_rig_assert_right(&rig, 400);
     mover_rig_free(&rig);
 }
 

@@ -4,26 +4,14 @@
  * right as promised; and what errs most stays out. */
 #include "compiler/mesh_leaf_choice.h"
 
-#include "accuracy/predict.h"
-#include "core/core.h"
 #include "rigs/cmocka_ready.h"
-#include "rigs/mesh_rig.h"
+#include "unit/leaves/choice_rig.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { ROUND = 24, BARS = 8, SEGMENTS = 6 };
 static const double PI = 3.14159265358979323846;
-
-static void quad_as_triangles(struct mesh *mesh, double at[4][3])
-{
-    const double first[3][3] = {
-        {at[0][0], at[0][1], at[0][2]}, {at[1][0], at[1][1], at[1][2]}, {at[2][0], at[2][1], at[2][2]}};
-    const double second[3][3] = {
-        {at[0][0], at[0][1], at[0][2]}, {at[2][0], at[2][1], at[2][2]}, {at[3][0], at[3][1], at[3][2]}};
-    mesh_rig_add(mesh, first, 3);
-    mesh_rig_add(mesh, second, 3);
-}
 
 static void ring_point(int i, int j, const double centre_m[3], double out[3])
 {
@@ -65,7 +53,8 @@ static void bar(struct mesh *mesh, const double centre_m[3], double turn, double
                 at[c][1] = centre_m[1] + v;
                 at[c][2] = centre_m[2] + along * sin(turn) + u * cos(turn);
             }
-            quad_as_triangles(mesh, at);
+            mesh_rig_triangle(mesh, (const double(*)[3])at, 1, 2);
+            mesh_rig_triangle(mesh, (const double(*)[3])at, 2, 3);
         }
 }
 
@@ -84,30 +73,17 @@ static struct mesh with_a_floor(void)
     return mesh;
 }
 
-static struct compile_options open_options(void)
-{
-    return (struct compile_options){.tolerance_units = 0.5, .splitter = "weighted-12", .choose_order = true};
-}
-
-static struct compiled compiled_of(const struct mesh *mesh, const struct compile_options *options)
-{
-    struct compiled scene;
-    struct error err;
-    if (!compile_mesh(mesh, options, &scene, &err)) fail_msg("%s", err.text);
-    return scene;
-}
-
 /* What is chosen for the mesh. */
 static struct compiled settled_of(const struct mesh *mesh, const struct compile_options *options)
 {
-    struct compiled scene = compiled_of(mesh, options);
+    struct compiled scene = choice_rig_compile(mesh, options);
     struct reference reference = {0};
     struct leaf_trial trial;
     struct error err;
-    if (leaf_trial_begin(&trial, mesh, options, &scene) &&
-        (!reference_init(&reference, mesh, PREDICT_SIDE_PX, PREDICT_SIDE_PX, &err) ||
-         !leaf_trial_settle(&trial, &reference, NULL, &scene, &err)))
-        fail_msg("%s", err.text);
+    if (leaf_trial_begin(&trial, mesh, options, &scene)) {
+        reference = choice_rig_reference(mesh);
+        if (!leaf_trial_settle(&trial, &reference, NULL, &scene, &err)) fail_msg("%s", err.text);
+    }
     reference_free(&reference);
     leaf_trial_free(&trial);
     return scene;
@@ -116,7 +92,7 @@ static struct compiled settled_of(const struct mesh *mesh, const struct compile_
 static void dense_parts_that_trees_split_become_leaves(void **state)
 {
     struct mesh mesh = with_a_floor();
-    const struct compile_options options = open_options();
+    const struct compile_options options = choice_rig_options();
     (void)state;
     ring(&mesh, -3, 0, 0);
     ring(&mesh, 3, 0, 0);
@@ -136,7 +112,7 @@ static void dense_parts_that_trees_split_become_leaves(void **state)
 static void what_errs_most_stays_out(void **state)
 {
     struct mesh mesh = with_a_floor();
-    const struct compile_options options = open_options();
+    const struct compile_options options = choice_rig_options();
     (void)state;
     ring(&mesh, -4, 0, 0);
     const size_t first = mesh.polygon_count;
@@ -158,10 +134,10 @@ static void what_errs_most_stays_out(void **state)
 static void where_all_err_there_are_none(void **state)
 {
     struct mesh mesh = with_a_floor();
-    const struct compile_options options = open_options();
+    const struct compile_options options = choice_rig_options();
     (void)state;
     bars(&mesh, 0, 0, 0);
-    struct compiled plain = compiled_of(&mesh, &options), scene = settled_of(&mesh, &options);
+    struct compiled plain = choice_rig_compile(&mesh, &options), scene = settled_of(&mesh, &options);
     const struct leaf_report *leaves = &scene.report.leaf_parts;
     assert_true(leaves->tried && leaves->count == 0);
     assert_true(leaves->wrong_percent > leaves->bound_percent);
@@ -175,7 +151,7 @@ static void where_all_err_there_are_none(void **state)
 
 static bool is_tried(const struct mesh *mesh, const struct compile_options *options)
 {
-    struct compiled scene = compiled_of(mesh, options);
+    struct compiled scene = choice_rig_compile(mesh, options);
     struct leaf_trial trial;
     const bool wants_reference = leaf_trial_begin(&trial, mesh, options, &scene);
     const bool tried = scene.report.leaf_parts.tried;
@@ -188,31 +164,18 @@ static bool is_tried(const struct mesh *mesh, const struct compile_options *opti
 static void what_is_said_or_must_be_exact_is_not_tried(void **state)
 {
     struct mesh mesh = with_a_floor();
-    struct compile_options options = open_options();
+    struct compile_options options = choice_rig_options();
     (void)state;
     ring(&mesh, 0, 0, 0);
-    assert_true(is_tried(&mesh, &options));
+    choice_rig_assert_open(&mesh, is_tried);
     options.mesh_leaves = MESH_LEAVES_NONE;
     assert_false(is_tried(&mesh, &options));
     options.mesh_leaves = MESH_LEAVES_ALL;
     assert_false(is_tried(&mesh, &options));
-    options = open_options();
-    options.core = &core_exact;
-    assert_false(is_tried(&mesh, &options));
-    options = open_options();
+    options = choice_rig_options();
     options.method = method_parse("nearest", NULL);
-    assert_false(is_tried(&mesh, &options));
     options.leaves_open = true; /* the compiler named it */
     assert_true(is_tried(&mesh, &options));
-    options = open_options();
-    options.tree = TREE_BSP;
-    assert_false(is_tried(&mesh, &options));
-    options = open_options();
-    options.wireframe = true;
-    assert_false(is_tried(&mesh, &options));
-    options = open_options();
-    options.choose_order = false;
-    assert_false(is_tried(&mesh, &options));
     mesh_rig_free(&mesh);
 }
 
@@ -220,7 +183,7 @@ static void what_is_said_or_must_be_exact_is_not_tried(void **state)
 static void where_nothing_is_dense_nothing_is_tried(void **state)
 {
     struct mesh mesh = with_a_floor();
-    const struct compile_options options = open_options();
+    const struct compile_options options = choice_rig_options();
     (void)state;
     assert_false(is_tried(&mesh, &options));
     mesh_rig_free(&mesh);
@@ -230,7 +193,7 @@ static void where_nothing_is_dense_nothing_is_tried(void **state)
 static void what_moves_is_whole(void **state)
 {
     struct mesh mesh = mesh_rig(3000.0);
-    struct compile_options options = open_options();
+    struct compile_options options = choice_rig_options();
     (void)state;
     options.method = method_parse("nearest", NULL);
     options.tree = TREE_BSP;
@@ -238,7 +201,7 @@ static void what_moves_is_whole(void **state)
     options.whole_leaf = true;
     ring(&mesh, -3, 0, 0);
     ring(&mesh, 3, 0, 0);
-    struct compiled scene = compiled_of(&mesh, &options);
+    struct compiled scene = choice_rig_compile(&mesh, &options);
     assert_int_equal(scene.scene.node_count, 1);
     assert_int_equal(scene.report.mesh_leaves, 1);
     const lim_index *words = lim_mesh_leaf_words(&scene.scene.polygons[scene.scene.nodes[0].front_run]);
@@ -246,7 +209,7 @@ static void what_moves_is_whole(void **state)
     compiled_free(&scene);
     const double centre_m[3] = {0, 0, 0}, half_m[3] = {1, 0.5, 0.5};
     mesh_rig_box(&mesh, centre_m, half_m, 0.0, 0.0);
-    scene = compiled_of(&mesh, &options);
+    scene = choice_rig_compile(&mesh, &options);
     assert_int_equal(scene.report.mesh_leaves, 0);
     compiled_free(&scene);
     mesh_rig_free(&mesh);

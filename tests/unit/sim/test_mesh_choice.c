@@ -4,11 +4,9 @@
  * as promised. */
 #include "compiler/mesh_choice.h"
 
-#include "accuracy/predict.h"
-#include "compiler/compile_mesh.h"
 #include "core/core.h"
 #include "rigs/cmocka_ready.h"
-#include "rigs/mesh_rig.h"
+#include "unit/leaves/choice_rig.h"
 
 #include <math.h>
 #include <string.h>
@@ -35,37 +33,18 @@ static struct mesh bumpy_ball(void)
             bumpy_point(i, j + 1, 0.1, at[1]);
             bumpy_point(i + 1, j + 1, 0.1, at[2]);
             bumpy_point(i + 1, j, 0.1, at[3]);
-            const double first[3][3] = {
-                {at[0][0], at[0][1], at[0][2]}, {at[1][0], at[1][1], at[1][2]}, {at[2][0], at[2][1], at[2][2]}};
-            const double second[3][3] = {
-                {at[0][0], at[0][1], at[0][2]}, {at[2][0], at[2][1], at[2][2]}, {at[3][0], at[3][1], at[3][2]}};
-            if (i) mesh_rig_add(&mesh, first, 3);
-            if (i + 1 < RINGS) mesh_rig_add(&mesh, second, 3);
+            if (i) mesh_rig_triangle(&mesh, (const double(*)[3])at, 1, 2);
+            if (i + 1 < RINGS) mesh_rig_triangle(&mesh, (const double(*)[3])at, 2, 3);
         }
     return mesh;
-}
-
-static struct compile_options open_options(void)
-{
-    return (struct compile_options){.tolerance_units = 0.5, .splitter = "weighted-12", .choose_order = true};
-}
-
-static struct compiled compiled_of(const struct mesh *mesh, const struct compile_options *options)
-{
-    struct compiled scene;
-    struct error err;
-    if (!compile_mesh(mesh, options, &scene, &err)) fail_msg("%s", err.text);
-    return scene;
 }
 
 static void settle(const struct mesh *mesh, const struct compile_options *options, struct mesh_trials *trials,
                    struct compiled *scene)
 {
-    struct reference reference = {0};
+    struct reference reference = choice_rig_reference(mesh);
     struct error err;
-    if (!reference_init(&reference, mesh, PREDICT_SIDE_PX, PREDICT_SIDE_PX, &err) ||
-        !mesh_choice_settle(trials, mesh, options, &reference, NULL, scene, &err))
-        fail_msg("%s", err.text);
+    if (!mesh_choice_settle(trials, mesh, options, &reference, NULL, scene, &err)) fail_msg("%s", err.text);
     reference_free(&reference);
     mesh_trials_free(trials);
 }
@@ -73,8 +52,8 @@ static void settle(const struct mesh *mesh, const struct compile_options *option
 static void a_dense_mesh_is_drawn_as_one(void **state)
 {
     struct mesh mesh = bumpy_ball();
-    const struct compile_options options = open_options();
-    struct compiled scene = compiled_of(&mesh, &options);
+    const struct compile_options options = choice_rig_options();
+    struct compiled scene = choice_rig_compile(&mesh, &options);
     struct mesh_trials trials;
     const double tree = scene.report.instructions;
 
@@ -96,7 +75,7 @@ static void a_dense_mesh_is_drawn_as_one(void **state)
 
 static bool is_tried(const struct mesh *mesh, const struct compile_options *options)
 {
-    struct compiled scene = compiled_of(mesh, options);
+    struct compiled scene = choice_rig_compile(mesh, options);
     struct mesh_trials trials;
     const bool wants_reference = mesh_choice_try(mesh, options, &scene, &trials), tried = scene.report.as_mesh.tried;
     mesh_trials_free(&trials);
@@ -109,26 +88,11 @@ static void what_is_said_or_must_be_exact_is_not_tried(void **state)
 {
     struct random random = {3};
     struct mesh mesh = mesh_rig(3000.0);
-    struct compile_options options = open_options();
+    struct compile_options options = choice_rig_options();
 
     (void)state;
     mesh_rig_solids(&mesh, &random, 3);
-    assert_true(is_tried(&mesh, &options));
-    options.core = &core_exact;
-    assert_false(is_tried(&mesh, &options));
-    options = open_options();
-    options.method = method_parse("nearest", NULL);
-    assert_false(is_tried(&mesh, &options));
-    options = open_options();
-    options.tree = TREE_BSP;
-    assert_false(is_tried(&mesh, &options));
-    options = open_options();
-    options.wireframe = true;
-    assert_false(is_tried(&mesh, &options));
-    options = open_options();
-    options.choose_order = false;
-    assert_false(is_tried(&mesh, &options));
-    options = open_options();
+    choice_rig_assert_open(&mesh, is_tried);
     options.framebuffer = true;
     assert_false(is_tried(&mesh, &options));
     mesh_rig_free(&mesh);
@@ -138,14 +102,14 @@ static void what_is_said_or_must_be_exact_is_not_tried(void **state)
 static void what_distance_cannot_order_is_not_drawn_by_it(void **state)
 {
     struct mesh mesh = mesh_rig(3000.0);
-    struct compile_options options = open_options();
+    struct compile_options options = choice_rig_options();
 
     (void)state;
     for (int i = 0; i < 12; i++) {
         const double centre_m[3] = {0, 0.02 * i, 0}, half_m[3] = {3, 0.3, 0.3};
         mesh_rig_box(&mesh, centre_m, half_m, 0.26 * i, 0.1 * i);
     }
-    struct compiled scene = compiled_of(&mesh, &options);
+    struct compiled scene = choice_rig_compile(&mesh, &options);
     struct mesh_trials trials;
     if (mesh_choice_try(&mesh, &options, &scene, &trials)) {
         settle(&mesh, &options, &trials, &scene);
