@@ -13,6 +13,7 @@
 #include "core/core.h"
 #include "displays/display.h"
 #include "export/world.h"
+#include "levels/level_moves.h"
 #include "measure/measurement.h"
 #include "model/model_orientation.h"
 #include "scene/method.h"
@@ -149,6 +150,13 @@ static bool is_way_to_move(const char *word)
     return moving_mode_parse(word, &mode, &ignored);
 }
 
+static bool is_doors(const char *word)
+{
+    struct error ignored;
+    enum level_doors doors;
+    return level_doors_parse(word, &doors, &ignored);
+}
+
 static bool is_portals(const char *word)
 {
     struct error ignored;
@@ -170,7 +178,7 @@ static const struct {
     {"--precision", is_profile},  {"--core", is_processor},  {"--mover-light", is_light},
     {"--movers", is_way_to_move}, {"--portals", is_portals}, {"--up", is_up},
     {"--for", is_world},          {"--family", is_family},   {"--chip", is_chip},
-    {"--optimise", is_purpose},
+    {"--optimise", is_purpose},   {"--doors", is_doors},
 };
 
 /* Each once. */

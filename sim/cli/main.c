@@ -10,6 +10,7 @@
 #include "cli/completion.h"
 #include "cli/man_page.h"
 #include "cli/usage.h"
+#include "levels/level_moves.h"
 #include "readers/companion.h"
 #include "readers/picture.h"
 
@@ -92,6 +93,17 @@ static int help_with(const char *name)
     return usage_print_command(name, stdout) ? EXIT_SUCCESS : no_command(name);
 }
 
+/* So is --doors NAME. */
+static bool take_doors(struct arguments *arguments, struct error *err)
+{
+    enum level_doors doors = level_doors();
+    const char *name = NULL;
+    if (!arguments_value(arguments, "--doors", &name, err) || (name && !level_doors_parse(name, &doors, err)))
+        return false;
+    level_doors_set(doors);
+    return true;
+}
+
 /* The time runs from here. */
 static bool begin_time(const struct command *command, struct arguments *arguments, struct error *err)
 {
@@ -107,7 +119,8 @@ static int run_command(const struct command *command, int argc, char **argv)
 {
     struct arguments arguments = {argv, command->is_long ? take_common(argc, argv) : argc};
     struct error err;
-    if (begin_time(command, &arguments, &err)) return command->run(arguments.count, arguments.items);
+    if ((!command->is_long || take_doors(&arguments, &err)) && begin_time(command, &arguments, &err))
+        return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);
     return EXIT_FAILURE;
 }

@@ -142,6 +142,9 @@ static const struct usage_entry ENTRIES[] = {
     {MODELS | REPLAY | WALK,
      "  --no-textures       faces have their materials' colours; without it a texture that cannot be read is an\n"
      "                      error (all commands that read a MODEL)\n"},
+    {MODELS | REPLAY | WALK,
+     "  --doors NAME        of maps of WADs: closed, as they are (default), open, with lifts down, or move: objects\n"
+     "                      that open or go down, wait and come back (all commands that read a MODEL)\n"},
     {0, "compile and measure, for a MODEL:\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
      "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"

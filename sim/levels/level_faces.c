@@ -83,6 +83,7 @@ void level_face_add(struct level_faces *faces, const struct level_corner *corner
                             .colour = picture ? paint->light : times(mean, paint->light),
                             .transparency = paint->transparency,
                             .picture = picture,
+                            .mover = faces->mover,
                             .unlit = true};
     for (size_t i = 0; i < count; i++)
         add_corner(faces, &corners[i], look);

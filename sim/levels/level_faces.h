@@ -14,6 +14,7 @@ struct level_faces {
     struct model *model;
     struct level_textures *textures;
     bool is_textured;
+    uint16_t mover;     /* of faces that are added: model_face.mover */
     uint32_t *pictures; /* of each look, model_face.picture; 0: not yet */
     size_t picture_capacity, look_capacity;
     size_t point_capacity, uv_capacity, corner_capacity, face_capacity;

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
  * From a path to faces: floors and ceilings by sectors, walls by lines. What has no height has no faces: a closed door
- * is the walls round it. The sky is a ceiling in its mean colour, so that nothing is seen through it. */
+ * that does not move is the walls round it. The sky is a ceiling in its mean colour, so that nothing is seen through
+ * it. */
 #include "levels/level_import.h"
 
 #include "base/grow.h"
 #include "levels/level_path.h"
 #include "levels/level_sectors.h"
 #include "levels/level_walls.h"
+#include "scene.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -16,6 +18,7 @@
 
 struct importing {
     const struct level *level;
+    struct level_move *moves; /* of each sector; NULL: all stay */
     struct level_faces faces;
     struct level_corner *corners; /* room for a polygon */
     size_t corner_capacity, sky;
@@ -31,11 +34,10 @@ static const char *sky_name(const char *map)
 }
 
 /* Flats lie on the world's lattice of 64 units, rows running south. */
-static void add_flat(struct importing *importing, const int32_t (*points)[2], size_t count, bool is_floor,
+static void add_flat(struct importing *importing, const int32_t (*points)[2], size_t count, bool is_floor, int height,
                      const struct level_sector *sector)
 {
     const char *flat = is_floor ? sector->floor_flat : sector->ceiling_flat;
-    const int height = is_floor ? sector->floor : sector->ceiling;
     struct level_textures *textures = importing->faces.textures;
     struct level_paint paint = {.look = importing->sky, .is_plain = true, .light = 0xFFFFFF};
     if (!level_is_sky(flat))
@@ -48,6 +50,22 @@ static void add_flat(struct importing *importing, const int32_t (*points)[2], si
     level_face_add(&importing->faces, importing->corners, count, &paint);
 }
 
+/* What is below a door that is shut, or above a lift that is up. */
+static void add_moving(struct importing *importing, const int32_t (*points)[2], size_t count, uint32_t number)
+{
+    struct level_move *move = &importing->moves[number];
+    struct model *model = importing->faces.model;
+    if (!move->mover && model->mover_count < LIM_INSTANCES_MAX) {
+        double origin_m[3];
+        level_place(points[0][0], points[0][1], move->rest, origin_m);
+        move->mover = level_mover_add(model, move, number, origin_m);
+    }
+    importing->faces.mover = move->mover;
+    if (move->mover)
+        add_flat(importing, points, count, move->kind == MODEL_LIFT, move->rest, &importing->level->sectors[number]);
+    importing->faces.mover = 0;
+}
+
 static void add_polygon(void *context, const int32_t (*points)[2], size_t count, uint32_t number)
 {
     struct importing *importing = context;
@@ -56,8 +74,10 @@ static void add_polygon(void *context, const int32_t (*points)[2], size_t count,
     while (importing->corner_capacity < count)
         importing->corners = grow(importing->corners, importing->corner_capacity, &importing->corner_capacity,
                                   sizeof *importing->corners);
-    add_flat(importing, points, count, true, sector);
-    add_flat(importing, points, count, false, sector);
+    add_flat(importing, points, count, true, sector->floor, sector);
+    add_flat(importing, points, count, false, sector->ceiling, sector);
+    if (importing->moves && importing->moves[number].kind != MODEL_MOVES && level_doors() == LEVEL_DOORS_MOVE)
+        add_moving(importing, points, count, number);
 }
 
 /* Notices ------------------------------------------------------------------------------------ */
@@ -97,15 +117,17 @@ static void note_textures(const struct level_textures *textures, struct model *m
 
 /* -------------------------------------------------------------------------------------------- */
 
-static bool add_faces(const struct level *level, bool is_textured, struct level_textures *textures, struct model *model,
-                      struct error *err)
+static bool add_faces(const struct level *level, struct level_move *moves, bool is_textured,
+                      struct level_textures *textures, struct model *model, struct error *err)
 {
     struct level_sectors sectors;
-    struct importing importing = {.level = level, .faces = {model, textures, is_textured, .pictures = NULL}};
+    struct importing importing = {
+        .level = level, .moves = moves, .faces = {model, textures, is_textured, .pictures = NULL}};
     if (!level_sectors_make(level, &sectors, err)) return false;
     importing.sky = level_look(textures, LOOK_WALL, sky_name(level->name));
     level_sectors_each(&sectors, add_polygon, &importing);
-    level_walls_add(level, &sectors, importing.sky, &importing.faces);
+    level_walls_add(level, &sectors, moves, importing.sky, &importing.faces);
+    if (moves) level_movers_finish(model, moves, level->sector_count);
     model->is_interior = true;
     model->lattice_m = 1.0 / LEVEL_UNITS_A_M;
     note_sectors(&sectors, model);
@@ -120,10 +142,16 @@ static bool import(const struct wad *wad, const char *map, bool is_textured, str
 {
     struct level level;
     struct level_textures textures = {0};
+    struct level_move *moves = NULL;
     if (!level_read(wad, map, &level, err)) return false;
+    if (level_doors() != LEVEL_DOORS_CLOSED) {
+        moves = level_moves_find(&level);
+        level_moves_open(moves, &level);
+    }
     bool ok = level_textures_open(wad, &textures, err);
-    if (ok && !add_faces(&level, is_textured, &textures, model, err))
+    if (ok && !add_faces(&level, moves, is_textured, &textures, model, err))
         ok = error_prefix(err, wad->paths[wad->file_count - 1]);
+    free(moves);
     level_textures_close(&textures);
     level_free(&level);
     return ok;

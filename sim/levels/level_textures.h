@@ -46,4 +46,12 @@ size_t level_look(struct level_textures *textures, enum level_look_kind kind, co
  * 16 levels of a sector's light, and `contrast` levels more. */
 uint32_t level_light(const struct level_textures *textures, int sector_light, int contrast);
 
+/* Whether a flat shows the sky. */
+static inline bool level_is_sky(const char *flat)
+{
+    for (const char *sky = LEVEL_SKY_FLAT; *sky || *flat; sky++, flat++)
+        if (*sky != *flat) return false;
+    return true;
+}
+
 #endif

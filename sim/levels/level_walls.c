@@ -18,8 +18,10 @@ struct wall {
     const struct level_line *line;
     const struct level_side *side;
     const struct level_sector *here, *beyond; /* beyond: NULL where there is nothing */
+    const struct level_move *move;            /* of what is beyond; NULL: it stays */
     struct level_vertex from, to;             /* seen from the right of that way */
     double along;                             /* how far from the line's beginning, on this side, that is */
+    double behind;                            /* how far behind the line it stands */
     size_t sky;
 };
 
@@ -49,12 +51,14 @@ static uint32_t light_of(const struct wall *wall)
 static void add_rectangle(const struct wall *wall, int low, int high, double hangs, const struct level_paint *paint)
 {
     const struct level_vertex from = wall->from, to = wall->to;
-    const double u = wall->along + wall->side->x_offset, along = u + hypot(to.x - from.x, to.y - from.y);
+    const double length = hypot(to.x - from.x, to.y - from.y);
+    const double u = wall->along + wall->side->x_offset, along = u + length;
+    const double x = -(to.y - from.y) * wall->behind / length, y = (to.x - from.x) * wall->behind / length;
     const double at_low = hangs - low + wall->side->y_offset, at_high = hangs - high + wall->side->y_offset;
-    const struct level_corner corners[4] = {{from.x, from.y, low, u, at_low},
-                                            {to.x, to.y, low, along, at_low},
-                                            {to.x, to.y, high, along, at_high},
-                                            {from.x, from.y, high, u, at_high}};
+    const struct level_corner corners[4] = {{from.x + x, from.y + y, low, u, at_low},
+                                            {to.x + x, to.y + y, low, along, at_low},
+                                            {to.x + x, to.y + y, high, along, at_high},
+                                            {from.x + x, from.y + y, high, u, at_high}};
     if (high > low) level_face_add(wall->faces, corners, 4, paint);
 }
 
@@ -100,14 +104,36 @@ static void add_whole(const struct wall *wall)
     add_part(wall, floor, ceiling, hangs, wall->side->middle, wall->here->floor_flat);
 }
 
+/* Textures of doors and lifts hang from where these are at rest, so what stands still beside them goes on. */
+static int rest_of(const struct wall *wall, enum model_kind kind, int height)
+{
+    return wall->move && wall->move->kind == kind ? wall->move->rest : height;
+}
+
+/* From one height to another of the part of a wall that hangs from the floor beyond. */
+static void add_below(const struct wall *wall, int low, int high, bool is_sky)
+{
+    const int top = is_sky ? wall->beyond->ceiling : wall->here->ceiling;
+    const double hangs = wall->line->flags & LINE_LOWER_UNPEGGED ? top : rest_of(wall, MODEL_LIFT, wall->beyond->floor);
+    add_part(wall, low, high, hangs, wall->side->lower, wall->beyond->floor_flat);
+}
+
 /* Returns its upper end. */
 static int add_lower(const struct wall *wall, bool is_sky)
 {
     const int floor = wall->here->floor, high = lower_of(wall->beyond->floor, wall->here->ceiling);
-    const int top = is_sky ? wall->beyond->ceiling : wall->here->ceiling;
-    const double hangs = wall->line->flags & LINE_LOWER_UNPEGGED ? top : wall->beyond->floor;
-    add_part(wall, floor, high, hangs, wall->side->lower, wall->beyond->floor_flat);
+    add_below(wall, floor, high, is_sky);
     return higher_of(floor, high);
+}
+
+/* The same of what hangs from the ceiling beyond. */
+static void add_above(const struct wall *wall, int low, int high)
+{
+    double hangs = wall->here->ceiling;
+    if (has_texture(wall->side->upper) && !(wall->line->flags & LINE_UPPER_UNPEGGED))
+        hangs = rest_of(wall, MODEL_DOOR, wall->beyond->ceiling) +
+                height_of(wall, level_look(wall->faces->textures, LOOK_WALL, wall->side->upper));
+    add_part(wall, low, high, hangs, wall->side->upper, wall->beyond->ceiling_flat);
 }
 
 static void add_upper(const struct wall *wall, int above, bool is_sky)
@@ -117,11 +143,23 @@ static void add_upper(const struct wall *wall, int above, bool is_sky)
         add_sky(wall, low, ceiling);
         return;
     }
-    double hangs = ceiling;
-    if (has_texture(wall->side->upper) && !(wall->line->flags & LINE_UPPER_UNPEGGED))
-        hangs =
-            wall->beyond->ceiling + height_of(wall, level_look(wall->faces->textures, LOOK_WALL, wall->side->upper));
-    add_part(wall, low, ceiling, hangs, wall->side->upper, wall->beyond->ceiling_flat);
+    add_above(wall, low, ceiling);
+}
+
+/* The side of a door that is shut, of a lift that is up. A door's stands behind the line, so that it is not in one
+ * plane with what is above it when it is open. */
+static void add_moving(const struct wall *wall, bool is_sky)
+{
+    const struct level_move *move = wall->move;
+    struct wall side = *wall;
+    if (!move || !move->mover) return;
+    wall->faces->mover = move->mover;
+    side.behind = move->kind == MODEL_DOOR ? LEVEL_MOVE_SLACK : 0;
+    if (move->kind == MODEL_DOOR)
+        add_above(&side, higher_of(move->rest, wall->here->floor), lower_of(move->moved, wall->here->ceiling));
+    else
+        add_below(&side, higher_of(move->moved, wall->here->floor), lower_of(move->rest, wall->here->ceiling), is_sky);
+    wall->faces->mover = 0;
 }
 
 /* What hangs in an opening: one texture high, and no higher than the opening. Where texels are clear it is a pane. */
@@ -149,6 +187,7 @@ static void add_side(const struct wall *wall)
     }
     const bool is_sky = level_is_sky(wall->here->ceiling_flat) && level_is_sky(wall->beyond->ceiling_flat);
     add_upper(wall, add_lower(wall, is_sky), is_sky);
+    add_moving(wall, is_sky);
     add_masked(wall);
 }
 
@@ -157,6 +196,7 @@ static void add_side(const struct wall *wall)
 struct adding {
     const struct level *level;
     const struct level_sectors *sectors;
+    const struct level_move *moves; /* NULL: none */
     struct level_faces *faces;
     size_t sky;
 };
@@ -166,6 +206,12 @@ static const struct level_side NO_SIDE = {.upper = "-", .lower = "-", .middle = 
 static const struct level_sector *sector_of(const struct adding *adding, uint32_t number)
 {
     return number == LEVEL_VOID ? NULL : &adding->level->sectors[number];
+}
+
+static const struct level_move *move_of(const struct adding *adding, uint32_t number)
+{
+    const bool moves = adding->moves && number != LEVEL_VOID && adding->moves[number].kind != MODEL_MOVES;
+    return moves ? &adding->moves[number] : NULL;
 }
 
 /* What a line says: the sector on one of its sides. */
@@ -208,6 +254,7 @@ static void add_sides(const struct adding *adding, const struct level_line *line
                                     .side = named[k] ? &level->sides[line->sides[k]] : &NO_SIDE,
                                     .here = sector_of(adding, beside[k]),
                                     .beyond = named[0] == named[1] ? sector_of(adding, beside[1 - k]) : NULL,
+                                    .move = move_of(adding, beside[1 - k]),
                                     .from = ends[k],
                                     .to = ends[1 - k],
                                     .along = distance(begins[k], ends[k]),
@@ -271,10 +318,10 @@ static void add_open(const struct adding *adding, uint32_t half)
     if (beside[0] != beside[1]) add_sides(adding, &none, ends, beside);
 }
 
-void level_walls_add(const struct level *level, const struct level_sectors *sectors, size_t sky,
-                     struct level_faces *faces)
+void level_walls_add(const struct level *level, const struct level_sectors *sectors, const struct level_move *moves,
+                     size_t sky, struct level_faces *faces)
 {
-    const struct adding adding = {level, sectors, faces, sky};
+    const struct adding adding = {level, sectors, moves, faces, sky};
     const struct triangles *triangles = &sectors->triangles;
     for (size_t i = 0; i < level->line_count; i++)
         add_line(&adding, &level->lines[i]);

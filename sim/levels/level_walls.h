@@ -6,18 +6,13 @@
 
 #include "levels/level.h"
 #include "levels/level_faces.h"
+#include "levels/level_moves.h"
 #include "levels/level_sectors.h"
 
 /* Between the sectors that there are (level_sectors.h), also where lines say otherwise or there is none, so that
- * nothing is open. sky: the index of the look of the sky's texture. */
-void level_walls_add(const struct level *level, const struct level_sectors *sectors, size_t sky,
-                     struct level_faces *faces);
-
-static inline bool level_is_sky(const char *flat)
-{
-    for (const char *sky = LEVEL_SKY_FLAT; *sky || *flat; sky++, flat++)
-        if (*sky != *flat) return false;
-    return true;
-}
+ * nothing is open. moves: of each sector, whose heights in *level are those of open doors; those that have a mover get
+ * their sides as well; NULL: none moves. sky: the index of the look of the sky's texture. */
+void level_walls_add(const struct level *level, const struct level_sectors *sectors, const struct level_move *moves,
+                     size_t sky, struct level_faces *faces);
 
 #endif

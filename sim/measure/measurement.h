@@ -112,7 +112,7 @@ bool measure_accuracy(struct measure_source *source, const struct measure_views 
 
 /* -- Cost ------------------------------------------------------------------------------------- */
 
-enum { COST_STAGES_MAX = 48, COST_NAME_B = 24 };
+enum { COST_STAGES_MAX = 64, COST_NAME_B = 24 };
 
 /* A processor that cost can be measured on. */
 struct measure_cpu {

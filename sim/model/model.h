@@ -34,9 +34,14 @@ struct model_key {
     struct model_pose pose;
 };
 
+/* What a mover is for: it moves by its animation; or when somebody comes: a door whose way up is its animation, a lift
+ * whose way down is. Numbers as of enum lim_moved_kind. */
+enum model_kind { MODEL_MOVES, MODEL_DOOR, MODEL_LIFT };
+
 /* A node that an animation moves, with all below it. */
 struct model_mover {
     char name[MODEL_NAME_B];
+    enum model_kind kind;
     struct model_pose rest; /* where `points` have it */
     uint32_t first_key, key_count;
 };

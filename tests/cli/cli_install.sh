@@ -87,6 +87,7 @@ tap_check "a light" completes 'baked turning' limner render --mover-light ''
 tap_check "a way to move" completes 'clipped centre off' limner render --movers ''
 tap_check "whether there are portals" completes 'on off auto' limner compile --portals ''
 tap_check "an axis" completes 'y z' limner render --up ''
+tap_check "doors" completes 'closed open move' limner view --doors ''
 tap_check "a file" completes 'house.obj hut with a door.obj' limner render h
 tap_check "a file after an option" completes 'house.obj' limner render x.obj --camera ho
 options_agree() { # each option that completion offers is in that command's help

@@ -72,6 +72,10 @@ tap_check 'it has no holes without' has_no_holes "$one:E3M4" random:4:16 --no-te
 tap_check 'without --camera the first picture is that of the first player' begins_at_the_player
 tap_check 'others are those of things' looks_from_things
 tap_check 'scenes are called by their maps' names_scenes_by_maps
+tap_check 'with doors that move there are no holes' has_no_holes "$one:E1M1" near:5:16 --doors move
+tap_check 'nor with open ones' has_no_holes "$one:E1M1" random:6:16 --doors=open
+tap_check 'E1M1 has twelve doors and two lifts' eval '"$limner" compile "$one:E1M1" --doors move --no-textures --report >said && [ "$(grep -c "^  door of sector" said)" -eq 12 ] && [ "$(grep -c "^  lift of sector" said)" -eq 2 ]'
+tap_check 'other doors are refused' is_refused '--doors ajar: no such doors; there are closed, open and move' render "$one:E1M1" --doors ajar -o out.png
 tap_check 'a report holds its WAD' reports_hold_wads
 tap_check 'a WAD without a map is refused' is_refused \
     "$one: say which map, as $one:MAP01; \`limner wad $one\` lists them" render "$one" -o out.png

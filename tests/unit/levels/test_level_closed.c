@@ -5,6 +5,7 @@
  * maps with walls that are seen from one side alone, in the middle of a room, are not taken. */
 #include "levels/level_cameras.h"
 #include "levels/level_import.h"
+#include "levels/level_moves.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "unit/levels/level_rig.h"
@@ -40,6 +41,19 @@ static void maps_without_tricks_are_closed(void **state)
     assert_closed(FREEDOOM "2.wad:MAP31");
 }
 
+/* Rays from beyond their doors, and from where lifts have been, end as well. */
+static void maps_with_open_doors_are_closed(void **state)
+{
+    (void)state;
+    for (int doors = LEVEL_DOORS_OPEN; doors <= LEVEL_DOORS_MOVE; doors++) {
+        level_doors_set((enum level_doors)doors);
+        assert_closed(FREEDOOM "1.wad:E1M1");
+        assert_closed(FREEDOOM "1.wad:E1M6");
+        assert_closed(FREEDOOM "2.wad:MAP01");
+    }
+    level_doors_set(LEVEL_DOORS_CLOSED);
+}
+
 /* Sectors within their own lines, lines that name other sectors than lie beside them. */
 static void maps_whose_lines_name_other_sectors_are_closed(void **state)
 {
@@ -52,6 +66,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(maps_without_tricks_are_closed),
+        cmocka_unit_test(maps_with_open_doors_are_closed),
         cmocka_unit_test(maps_whose_lines_name_other_sectors_are_closed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -246,6 +246,7 @@ void wad_write_map(struct wad_writer *wad, const char *name, const struct wad_ma
         put(bytes + 26 * i + 2, (uint16_t)map->sectors[i].ceiling, 2);
         memcpy(bytes + 26 * i + 4, map->sectors[i].names, 16);
         put(bytes + 26 * i + 20, (uint16_t)map->sectors[i].light, 2);
+        put(bytes + 26 * i + 24, (uint16_t)map->sectors[i].tag, 2);
     }
     wad_lump(wad, "SECTORS", bytes, 26 * map->sector_count);
 }

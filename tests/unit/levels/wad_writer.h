@@ -41,7 +41,7 @@ struct wad_map {
         uint16_t sector;
     } sides[WAD_MAP_MOST];
     struct {
-        int16_t floor, ceiling, light;
+        int16_t floor, ceiling, light, tag;
         char names[2][8];
     } sectors[WAD_MAP_MOST];
     int16_t things[WAD_MAP_MOST][5]; /* x, y, angle, kind, flags */
