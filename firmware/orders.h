@@ -58,6 +58,8 @@ struct lim_mover {
     int32_t half_q12[3];     /* likewise: of a box along the scene's axes */
     int32_t own_half_q12[3]; /* and of one along its own */
     LIM_OPTIONAL(int16_t, to_q14, 3 * LIM_HAS_LIGHT); /* towards the light, in its own axes */
+    /* Set with the view's rows. first_word is LIM_NONE: it shows the colours of its records. */
+    LIM_OPTIONAL(struct lim_texturing, texturing, LIM_HAS_TEXTURE);
 };
 
 /* What is due when a node's near subtree is done: route.h. */
@@ -115,9 +117,10 @@ struct lim_movers {
     struct lim_kept_corners kept[LIM_KEPT_CORNERS];    /* of this walk, lately */
     struct lim_view world;                             /* lim_movers_world() */
     LIM_OPTIONAL(struct lim_light, light, LIM_HAS_LIGHT);
-    LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);             /* of the object that is being drawn whole */
-    LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES); /* likewise */
-    LIM_OPTIONAL(uint16_t, leaf_vertices, LIM_HAS_MESH_LEAVES);    /* the most that there is room for */
+    LIM_OPTIONAL(struct lim_texturing *, texturing, LIM_HAS_TEXTURE); /* of the frame; NULL: without textures */
+    LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);                /* of the object that is being drawn whole */
+    LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES);    /* likewise */
+    LIM_OPTIONAL(uint16_t, leaf_vertices, LIM_HAS_MESH_LEAVES);       /* the most that there is room for */
     LIM_OPTIONAL(uint16_t, leaf_polygons, LIM_HAS_MESH_LEAVES);
 };
 

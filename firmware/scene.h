@@ -263,15 +263,28 @@ static inline lim_index lim_triangle_texture_mask(uint16_t texture_count)
     return (lim_index)(texture_count > LIM_TRIANGLE_TEXTURES ? UINT16_MAX : LIM_TRIANGLE_TEXTURES - 1);
 }
 
+/* Textures of a scene; and whether an object's are those of the scene that it moves in. */
+#if LIM_HAS_TEXTURE
 static inline uint16_t lim_texture_count(const struct lim_scene *scene)
 {
-#if LIM_HAS_TEXTURE
     return scene->texture_count;
+}
+static inline bool lim_scene_shares_textures(const struct lim_scene *scene, const struct lim_scene *object)
+{
+    return scene->texture_count && object->texture_count && object->textures == scene->textures;
+}
 #else
+static inline uint16_t lim_texture_count(const struct lim_scene *scene)
+{
     (void)scene;
     return 0;
-#endif
 }
+static inline bool lim_scene_shares_textures(const struct lim_scene *scene, const struct lim_scene *object)
+{
+    (void)scene, (void)object;
+    return false;
+}
+#endif
 
 /* x, y, z in turns. */
 /*@ assigns \nothing;

@@ -15,7 +15,9 @@ struct lim_texture_axis {
     int16_t high_q14[LIM_TEXTURE_AXES], low_q30[LIM_TEXTURE_AXES]; /* |high| <= 2^14 */
 };
 
-/* What all textured polygons of a frame have in common. */
+LIM_OPTIONAL_BEGIN
+
+/* What all textured polygons of a frame have in common; and likewise those of an object that moves in it. */
 struct lim_texturing {
     const struct lim_scene *scene;
     struct lim_texture_axis axes[3]; /* what a half-pixel to the right and down adds to the way ahead, and that */
@@ -24,7 +26,14 @@ struct lim_texturing {
     uint8_t far_bits;                                                 /* no vertex is 2^far_bits units away or more */
     int16_t w_px, h_px;
     int16_t level_q4; /* what the lens adds to every level of detail, log2 */
+    /* Words of records that lie behind the scene's, up to `words`, are those of objects: a list, the last ones first.
+     * An object's begin at first_word. */
+    LIM_OPTIONAL(struct lim_texturing *, moved, LIM_HAS_MOVERS);
+    LIM_OPTIONAL(uint16_t, words, LIM_HAS_MOVERS);
+    LIM_OPTIONAL(uint16_t, first_word, LIM_HAS_MOVERS);
 };
+
+LIM_OPTIONAL_END
 
 /* at + x * X + y * Y for X = 2 x_px + 1 - w_px, and Y likewise: half-pixels from the middle of the screen. Within 31
  * bits for X within -3 w_px .. 3 w_px and every line of the screen. */

@@ -109,6 +109,15 @@ static inline bool is_perspective(const struct sink *sink)
 
 static lim_piece_fill paint_piece;
 
+/* What a run of the piece is for delta output. */
+static inline uint32_t look_of(const struct sink *sink)
+{
+    if (!is_textured(sink)) return sink->colour;
+    if (LIM_HAS_MOVERS && sink->colour >= sink->span->texturing->scene->polygon_words)
+        return sink->colour | LIM_RUN_TEXTURED | LIM_RUN_MOVES;
+    return sink->colour | LIM_RUN_TEXTURED;
+}
+
 static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
 {
     struct sink *sink = ctx;
@@ -117,7 +126,7 @@ static void paint_piece(void *ctx, uint16_t x0, uint16_t x1)
         (void)lim_texture_fill_stretches(sink->span, sink->line, x0, x1);
         return;
     }
-    if (!note(sink, x0, x1, sink->colour | (is_textured(sink) ? LIM_RUN_TEXTURED : 0))) {
+    if (!note(sink, x0, x1, look_of(sink))) {
         if (LIM_HAS_WIREFRAME && sink->wire->n)
             lim_wire_fill(sink->line, sink->wire, x0, x1);
         else if (LIM_HAS_TEXTURE && is_textured(sink))

@@ -10,6 +10,7 @@
 #include "eye.h"
 #include "math/orientation.h"
 #include "movers/deform.h"
+#include "pixels/texture.h"
 #include "view/pass.h"
 #include "view/rows.h"
 #include "view/view.h"
@@ -169,6 +170,23 @@ static void turn_rows(struct lim_view *view, const struct lim_scene *scene, cons
     (void)is_set;
 }
 
+/* Textures are the scene's: an object with others shows the colours of its records, and so does one that deforms, whose
+ * mappings are those of other planes, or that is lit. */
+static LIM_IF_CALLED void turn_textures(const struct lim_movers *movers, uint16_t mover, const struct lim_camera *own,
+                                        int32_t own_axes_q30[9])
+{
+    const struct lim_instance *instance = &movers->instances[mover];
+    struct lim_mover *self = &movers->movers[mover];
+    struct lim_texturing *const frame = *movers->texturing;
+
+    *self->texturing->first_word = LIM_NONE;
+    if (!frame || !lim_scene_shares_textures(frame->scene, instance->object) || lim_deforms(instance) ||
+        (LIM_HAS_LIGHT && movers->light->on))
+        return;
+    if (lim_texture_add_moved(frame, self->texturing, frame->scene->polygon_words, instance->object->polygon_words))
+        lim_texture_begin(self->texturing, instance->object, &self->view, own, own_axes_q30);
+}
+
 /* The camera, as the object sees it. */
 static LIM_ALONE void turn_view(const struct lim_movers *movers, uint16_t mover)
 {
@@ -186,6 +204,7 @@ static LIM_ALONE void turn_view(const struct lim_movers *movers, uint16_t mover)
     const int32_t near_end_q8 = LIM_NEAR_MAX_Q8 >> instance->finer_bits;
     own.near_q8 = own.near_q8 < near_end_q8 ? own.near_q8 << instance->finer_bits : LIM_NEAR_MAX_Q8;
     turn_rows(&self->view, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30);
+    if (LIM_HAS_TEXTURE) turn_textures(movers, mover, &own, own_axes_q30);
 }
 
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
@@ -400,6 +419,10 @@ void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const str
     lim_mover_forget_corners(movers);
     if (!movers->given) return;
     movers->camera = *camera;
+    if (LIM_HAS_TEXTURE) {
+        *movers->texturing = lim_texture_count(pass->scene) ? pass->texturing : NULL;
+        lim_texture_forget_moved(pass->texturing);
+    }
     lim_orientation_set(movers->axes_q30, camera);
     movers->eye_ahead_q40 = 0;
     for (uint_fast8_t i = 0; i < 3; i++) {

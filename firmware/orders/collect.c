@@ -190,10 +190,23 @@ static inline uint16_t texture_word(const struct lim_pass *pass, const LIM_FLASH
     return (uint16_t)(record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS - pass->scene->polygons);
 }
 
+/* An object that moves, and behind which word its textures are numbered (lim_mover_first_word()). */
+struct moving_look {
+    const struct lim_scene *object;
+    uint16_t first_word;
+};
+
+static inline uint16_t moving_word(const struct moving_look *moving, const LIM_FLASH lim_index *record)
+{
+    if (!LIM_HAS_TEXTURE || !(record[0] & LIM_POLYGON_TEXTURE) || moving->first_word == LIM_NONE) return LIM_NONE;
+    return (uint16_t)(record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS - moving->object->polygons +
+                      moving->first_word);
+}
+
 /* A polygon that is opaque and neither clipped nor non-monotone, whose points lie where they would be retained: none of
- * it is ever copied. What moves has no texture. */
+ * it is ever copied. moving: NULL, of what stands still. */
 static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim_index *record, struct lim_point *at,
-                                uint8_t n, struct lim_edge_shape *shape, bool moves)
+                                uint8_t n, struct lim_edge_shape *shape, const struct moving_look *moving)
 {
     struct lim_pass *const pass = nearest->pass;
     const struct lim_rect *open = &nearest->spans.open;
@@ -218,7 +231,7 @@ static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim
         shown = seen;
     }
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons_seen++;
-    const uint16_t texture = moves ? (uint16_t)LIM_NONE : texture_word(pass, record);
+    const uint16_t texture = moving ? moving_word(moving, record) : texture_word(pass, record);
     const bool textured = LIM_HAS_TEXTURE && texture != LIM_NONE;
     if (textured) nearest->retained.textured = true;
     lim_retained_link(&nearest->spans, &nearest->retained, &nearest->spans.lines[shown.top], n, shape->first,
@@ -230,7 +243,8 @@ static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim
 
 /* Of a record as most are, where there is room for its points. */
 static inline enum outcome collect_fast(struct lim_nearest *nearest, struct lim_view *view,
-                                        const struct lim_scene *scene, const LIM_FLASH lim_index *record, bool moves)
+                                        const struct lim_scene *scene, const LIM_FLASH lim_index *record,
+                                        const struct moving_look *moving)
 {
     struct lim_pass *const pass = nearest->pass;
     const uint8_t n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
@@ -244,7 +258,7 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, struct lim_
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons++;
     if (lim_view_all_outside(codes)) return NOTHING_OPEN;
     if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) nearest->retained.overhangs = true;
-    return take(nearest, record, at, n, &shape, moves);
+    return take(nearest, record, at, n, &shape, moving);
 }
 
 /* What follows a polygon. false: a pool is exhausted. */
@@ -264,7 +278,7 @@ static inline bool go_on_after(struct lim_nearest *nearest, enum outcome outcome
 bool lim_collect_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
 {
     enum outcome outcome = !LIM_OPTIMISE_SIZE && is_for_fast_path(nearest, record)
-                               ? collect_fast(nearest, &nearest->pass->view, nearest->pass->scene, record, false)
+                               ? collect_fast(nearest, &nearest->pass->view, nearest->pass->scene, record, NULL)
                                : SLOW_PATH;
 
     if (outcome == SLOW_PATH) outcome = collect_any(nearest, record) ? COLLECTED : EXHAUSTED_POOL;
@@ -273,10 +287,13 @@ bool lim_collect_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *
 
 #if LIM_HAS_MOVERS
 enum lim_collected lim_collect_moving(struct lim_nearest *nearest, struct lim_view *view,
-                                      const struct lim_scene *object, const LIM_FLASH lim_index *record)
+                                      const struct lim_scene *object, const LIM_FLASH lim_index *record,
+                                      uint16_t first_word)
 {
+    const struct moving_look moving = {object, first_word};
+
     if (!is_for_fast_path(nearest, record)) return LIM_COLLECT_SLOWLY;
-    switch (collect_fast(nearest, view, object, record, true)) {
+    switch (collect_fast(nearest, view, object, record, &moving)) {
     case SLOW_PATH:
         return LIM_COLLECT_SLOWLY;
     case EXHAUSTED_POOL:
@@ -301,7 +318,7 @@ static inline enum outcome collect_fast_entry(struct lim_nearest *nearest, const
 
     if (!at || !lim_mesh_leaf_corners(leaf, record, n, at) || !lim_edge_bounds_plain(&shape, at, n)) return SLOW_PATH;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons++;
-    return take(nearest, record, at, n, &shape, false);
+    return take(nearest, record, at, n, &shape, NULL);
 }
 
 static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)

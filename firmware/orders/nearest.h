@@ -48,7 +48,8 @@ bool lim_collect_polygon(struct lim_nearest *nearest, const struct lim_screen_po
 /* For a record of what moves, if it is as most are; else nothing is done, and it has to be projected and drawn. */
 enum lim_collected { LIM_COLLECTED, LIM_COLLECT_EXHAUSTED, LIM_COLLECT_SLOWLY };
 enum lim_collected lim_collect_moving(struct lim_nearest *nearest, struct lim_view *view,
-                                      const struct lim_scene *object, const LIM_FLASH lim_index *record);
+                                      const struct lim_scene *object, const LIM_FLASH lim_index *record,
+                                      uint16_t first_word);
 
 /* For all polygons of a mesh leaf whose run begins with this record. */
 bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_index *run);

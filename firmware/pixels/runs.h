@@ -14,6 +14,7 @@
 #define LIM_RUN_LOOK ((UINT32_C(1) << LIM_RUN_END_BIT) - 1u)
 #define LIM_RUN_TEXTURED (UINT32_C(1) << 16) /* with which texture */
 #define LIM_RUN_UNSEEN (UINT32_C(1) << 17)   /* behind the rim of round glass */
+#define LIM_RUN_MOVES (UINT32_C(1) << 18)    /* the texture of what moves: never the same as before */
 
 static inline uint16_t lim_run_end(uint32_t run)
 {
@@ -55,14 +56,14 @@ uint16_t lim_runs_used(const struct lim_runs *runs);
 struct lim_changes {
     const struct lim_runs *runs;
     const uint32_t *now, *old; /* in the ring */
-    uint32_t restless;         /* LIM_RUN_TEXTURED: the same texture looks different. 0: it does not */
+    uint32_t restless; /* looks that are never the same: LIM_RUN_TEXTURED, if the camera has moved, LIM_RUN_MOVES */
     uint16_t x;
 };
 
 static inline struct lim_changes lim_runs_compare(const struct lim_runs *runs, uint16_t y, bool still)
 {
     const struct lim_changes changes = {runs, runs->ring + runs->first[y], runs->ring + runs->tail,
-                                        still ? 0 : LIM_RUN_TEXTURED, 0};
+                                        (still ? 0 : LIM_RUN_TEXTURED) | (LIM_HAS_MOVERS ? LIM_RUN_MOVES : 0), 0};
     return changes;
 }
 

@@ -6,8 +6,6 @@
  * gradient adds up to over half a screen of 240 pixels is 2^-23 of the largest depth on the screen. */
 #include "pixels/texture.h"
 
-#include "math/orientation.h"
-
 #if LIM_HAS_TEXTURE
 
 enum { PLANE_BITS = 30 };
@@ -43,16 +41,14 @@ static inline int32_t moved(int32_t x, int_fast16_t bits)
 
 /* What a half-pixel adds to the way ahead. In profiles without limbs all three axes are of one length, such that no sum
  * over twice the screen leaves 31 bits. */
-static void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera)
+static void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera, int32_t axes_q30[9])
 {
     const uint32_t tans_q28[2] = {camera->tan_x_q28, camera->tan_y_q28};
     const int16_t sides_px[2] = {texturing->w_px, texturing->h_px};
     /* 1 + 3 tan_x + tan_y: twice as much is 2^bits or less. */
     const uint32_t most_q25 = (UINT32_C(1) << 25) + (tans_q28[0] >> 2) + (tans_q28[0] >> 3) + (tans_q28[1] >> 3) + 1;
     const int8_t shorter = LIM_HAS_LIMBS ? 0 : (int8_t)(6 - clz_u32(most_q25));
-    int32_t axes_q30[9];
 
-    lim_orientation_set(axes_q30, camera);
     for (uint_fast8_t i = 0; i < 2; i++) {
         int8_t bits;
         const int32_t mantissa_q31 = texture_mantissa_of(tans_q28[i], sides_px[i], &bits);
@@ -68,7 +64,7 @@ static void texture_set_axes(struct lim_texturing *texturing, const struct lim_c
 }
 
 void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
-                       const struct lim_camera *camera)
+                       const struct lim_camera *camera, int32_t axes_q30[9])
 {
     texturing->scene = scene;
     texturing->w_px = (int16_t)view->width.px;
@@ -79,7 +75,7 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
         texturing->eye_high[i] = (int16_t)((at_q8 + 0x8000) >> 16);
         texturing->eye_low_q8[i] = (int16_t)(at_q8 - texturing->eye_high[i] * INT32_C(65536));
     }
-    texture_set_axes(texturing, camera);
+    texture_set_axes(texturing, camera, axes_q30);
     /* log2 of a pixel's side at depth 1, the mean of both: 2 tan / side. */
     const int16_t sum_q4 = (int16_t)(log2_q4(camera->tan_x_q28) + log2_q4(camera->tan_y_q28) -
                                      log2_q4((uint32_t)texturing->w_px) - log2_q4((uint32_t)texturing->h_px));
@@ -336,9 +332,21 @@ static void set_planes(const struct lim_texturing *texturing, const struct seen 
     lim_texture_settle(texturing, around, seen->shift, out);
 }
 
+/* Whose word it is, and which of its own. */
+static inline const struct lim_texturing *owner_of(const struct lim_texturing *texturing, uint16_t *word)
+{
+    if (!LIM_HAS_MOVERS || *word < texturing->scene->polygon_words) return texturing;
+    do
+        texturing = *texturing->moved;
+    while (*word < *texturing->first_word);
+    *word = (uint16_t)(*word - *texturing->first_word);
+    return texturing;
+}
+
 void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out)
 {
+    texturing = owner_of(texturing, &word);
     const LIM_FLASH lim_index *words = &texturing->scene->polygons[word];
     const struct around around = around_points(texturing, at, n);
     struct seen seen;

@@ -35,12 +35,36 @@ struct lim_texture_line {
     uint16_t divisions;        /* so far */
 };
 
-/* Once a frame, after lim_view_begin(). */
+/* Once a frame, after lim_view_begin(). axes_q30: of the camera (orientation.h); they are used up. The same of an
+ * object that moves, whose textures are those of the frame's scene, with view, camera and axes as it sees them. */
 void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
-                       const struct lim_camera *camera);
+                       const struct lim_camera *camera, int32_t axes_q30[9]);
 
-/* Once a polygon; its record names texture and mapping at this word of lim_scene.polygons. `at`: its n corners on the
- * screen; none of a piece, whose lines alone are known. */
+/* What moves has moved: no object has begun. */
+static inline void lim_texture_forget_moved(struct lim_texturing *frame)
+{
+    *frame->moved = NULL;
+    *frame->words = 0;
+}
+
+/* The words of an object's records, so many, come behind all that there are so far. false: 16 bits do not count them.
+ */
+static inline bool lim_texture_add_moved(struct lim_texturing *frame, struct lim_texturing *texturing, lim_index first,
+                                         lim_index words)
+{
+    const lim_index from = *frame->moved ? *frame->words : first;
+
+    *texturing->first_word = LIM_NONE;
+    if (from >= LIM_NONE || words > (lim_index)LIM_NONE - from) return false;
+    *texturing->first_word = (uint16_t)from;
+    *texturing->moved = *frame->moved;
+    *frame->moved = texturing;
+    *frame->words = (uint16_t)(from + words);
+    return true;
+}
+
+/* Once a polygon; its record names texture and mapping at this word of lim_scene.polygons, or of an object's behind
+ * lim_texturing.first_word. `at`: its n corners on the screen; none of a piece, whose lines alone are known. */
 void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out);
 

@@ -19,6 +19,7 @@
 #include "routes/mover_merge.h"
 #include "routes/mover_part.h"
 #include "routes/route.h"
+#include "screen/polygon.h"
 #include "screen/project.h"
 
 #if LIM_HAS_MOVERS
@@ -265,11 +266,19 @@ static LIM_IF_CALLED uint16_t colour_of(const struct lim_sorter *sorter, const s
                            (uint16_t)face->record[1]);
 }
 
-/* Objects are not textured: what they show is their records' colours. */
+/* The word of its texture, as the frame counts them. */
+static LIM_IF_CALLED void number_texture(const struct lim_sorter *sorter, struct lim_screen_polygon *out,
+                                         uint16_t mover)
+{
+    const uint16_t first = lim_mover_first_word(sorter->movers, mover), own = lim_screen_texture(out);
+
+    *out->texture = first == LIM_NONE || own == LIM_NONE ? (uint16_t)LIM_NONE : (uint16_t)(first + own);
+}
+
 static void light_face(const struct lim_sorter *sorter, struct lim_screen_polygon *out, const struct face *face)
 {
     if (LIM_HAS_LIGHT && sorter->movers->light->on) out->colour = lim_memory_colour(colour_of(sorter, face));
-    if (LIM_HAS_TEXTURE) *out->texture = LIM_NONE;
+    if (LIM_HAS_TEXTURE) number_texture(sorter, out, face->mover);
 }
 
 static bool mover_order_project(struct lim_sorter *sorter, struct lim_screen_polygon *out, const struct face *face,
@@ -323,8 +332,9 @@ static int draw_uncut(struct lim_sorter *sorter, uint16_t entry, const struct fa
                       const struct lim_mover_sink *sink)
 {
     if (sink->take && !(LIM_HAS_LIGHT && sorter->movers->light->on)) {
-        const int err = sink->take(sink->ctx, lim_mover_view(sorter->movers, face->mover),
-                                   sorter->movers->instances[face->mover].object, face->record);
+        struct lim_view *const view = lim_mover_view(sorter->movers, face->mover);
+        const int err = sink->take(sink->ctx, view, sorter->movers->instances[face->mover].object, face->record,
+                                   lim_mover_first_word(sorter->movers, face->mover));
         if (err != LIM_MOVER_DRAW) return err;
     }
     return draw_cut(sorter, entry, face, sink);

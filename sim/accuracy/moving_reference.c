@@ -15,7 +15,7 @@ static bool add_groups(const struct moving *moving, size_t mover, uint32_t *grou
     struct model part;
     struct mesh mesh;
     uint32_t *numbers;
-    model_part(&moving->model, mover, &part, &numbers);
+    model_part(&moving->model, mover, !mover, &part, &numbers);
     bool ok = mover ? mesh_clean_on(&part, &moving->objects[mover - 1].scene.grid, &mesh, err)
                     : mesh_clean(&part, &mesh, err);
     if (ok) {
@@ -44,7 +44,7 @@ static bool reference_of_part(const struct moving *moving, size_t mover, struct 
     struct model part;
     struct mesh mesh;
     uint32_t *numbers;
-    model_part(&moving->model, mover, &part, &numbers);
+    model_part(&moving->model, mover, !mover, &part, &numbers);
     const struct model view = source_view(&part);
     bool ok = mesh_clean_fine(&view, mover ? &moving->objects[mover - 1].scene.grid : NULL, &mesh, err);
     if (ok) {

@@ -110,7 +110,7 @@ static bool read_still(const char *path, const struct compile_options *options, 
     *movers = model.mover_count;
     *still = model;
     if (!*movers) return true;
-    model_part(&model, 0, still, numbers);
+    model_part(&model, 0, true, still, numbers);
     model_free(&model);
     if (still->face_count) return true;
     model_free(still);

@@ -267,7 +267,8 @@ static bool compile_all(const struct compile_request *request, struct compile_re
         if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", request->models[i], moving->model.notice);
         if (moving->count && !method_moves(result->scenes[i].report.draws, err)) return false;
         if (request->compile.near_m <= 0.0) lens_note_near(request->models[i], &result->scenes[i].grid);
-        result->named[i] = (struct named_scene){&result->scenes[i], result->names[i], moving->count ? moving : NULL};
+        result->named[i] =
+            (struct named_scene){&result->scenes[i], result->names[i], moving->count ? moving : NULL, NULL};
     }
     return true;
 }

@@ -8,6 +8,7 @@
 #include "base/grow.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
+#include "compiler/moving_textures.h"
 #include "compiler/order_choice.h"
 #include "compiler/pool_sizes.h"
 #include "model/baked_light.h"
@@ -130,7 +131,7 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     own.tree = TREE_BSP;
     own.portals = PORTALS_OFF;
     memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
-    model_part(&moving->model, index + 1, &part, &numbers);
+    model_part(&moving->model, index + 1, !moving->light.on, &part, &numbers);
     bool ok = object_grid(scene_grid, &part, &grid, &instance->finer_bits) ||
               error_set(err, "its mesh reaches farther from the node's origin than the scene that it moves in is "
                              "large; a ground in the scene helps, or --movers off");
@@ -165,8 +166,8 @@ static void note_left_out(const struct moving_object *object, struct compile_rep
                  own->left_out, own->mesh.faces);
 }
 
-/* What moves has the mean colours of its pictures. */
-static void note_textured(const struct model *model, size_t index, struct compile_report *report)
+/* What moves has the mean colours of its pictures: it is lit in each frame, or there are too many. */
+static void note_untextured(const struct model *model, size_t index, struct compile_report *report)
 {
     bool textured = false;
     for (size_t i = 0; i < model->face_count; i++)
@@ -230,7 +231,7 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     if (!own.method) own.method = &methods[0]; /* nearest first */
     if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
     own.predict = false; /* all parts together are */
-    model_part(&moving->model, 0, &part, &numbers);
+    model_part(&moving->model, 0, true, &part, &numbers);
     bool ok =
         part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
     ok = ok && compile_part(&part, NULL, &own, scene, err);
@@ -242,11 +243,13 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     moving->objects = grow_zeroed(moving->count, sizeof *moving->objects);
     moving->instances = grow_zeroed(moving->count, sizeof *moving->instances);
     for (size_t i = 0; ok && i < moving->count; i++) {
-        note_textured(&moving->model, i, &scene->report);
         ok = compile_object(moving, i, &scene->grid, options, mode, err);
         if (ok) note_left_out(&moving->objects[i], &scene->report);
     }
     if (!ok) return false;
+    const bool is_textured = moving_share_textures(moving, scene) && !moving->light.on;
+    for (size_t i = 0; !is_textured && i < moving->count; i++)
+        note_untextured(&moving->model, i, &scene->report);
     limits_set(moving);
     return !method_can_move(own.method->draws) || /* refused where they are to be drawn */
            (pools_measure_moving(scene, moving, options->core, err) &&

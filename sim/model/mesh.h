@@ -93,6 +93,8 @@ bool mesh_clean_fine(const struct model *model, const struct grid *grid, struct 
 
 /* Makes the model's pictures textures: those that a face shows. Together they get no larger than a scene can hold: if
  * need be, the largest are made smaller. What became of each goes to mesh->notes. */
+/* As long as a side of any of the model's textures may get, so that all of them fit a scene: 2^bits. */
+uint8_t mesh_texture_bits(const struct model *model);
 bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err);
 
 /* Joins coplanar neighbours of one colour, opacity and texture wherever the union is convex, and drops corners in the

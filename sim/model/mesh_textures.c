@@ -77,12 +77,18 @@ static void note_more(struct mesh *mesh, size_t count)
     snprintf(note->text, sizeof note->text, "textures that are resized as well: %zu", count);
 }
 
-bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err)
+uint8_t mesh_texture_bits(const struct model *model)
 {
     uint8_t most_bits = MOST_BITS;
-    size_t resized = 0;
     while (most_bits > 0 && blocks_at(model, most_bits) > BLOCKS_MAX)
         most_bits--;
+    return most_bits;
+}
+
+bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err)
+{
+    const uint8_t most_bits = model->texture_bits ? model->texture_bits : mesh_texture_bits(model);
+    size_t resized = 0;
     if (blocks_at(model, most_bits) > BLOCKS_MAX)
         return error_set(err, "scene too large: %zu textures, %d are the most", model->picture_count, BLOCKS_MAX);
     if (model->picture_count) mesh->textures = grow_zeroed(model->picture_count, sizeof *mesh->textures);

@@ -59,6 +59,7 @@ struct model {
     size_t alpha_clamped;     /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
     struct picture *pictures; /* also those that cannot be read */
     size_t picture_count;
+    uint8_t texture_bits; /* of a part: no side of a texture is longer than 2^texture_bits; 0: nobody has said */
     struct model_mover *movers;
     size_t mover_count;
     struct model_key *keys; /* of each mover, by time */

@@ -4,6 +4,7 @@
 #include "model/model_part.h"
 
 #include "base/grow.h"
+#include "model/mesh.h"
 #include "model/mipmap.h"
 #include "model/pose.h"
 
@@ -26,6 +27,7 @@ static void count_part(const struct model *model, size_t mover, struct model *pa
 
 static void copy_pictures(const struct model *model, struct model *part)
 {
+    part->texture_bits = mesh_texture_bits(model);
     part->picture_count = model->picture_count;
     part->pictures = grow_zeroed(model->picture_count, sizeof *part->pictures);
     for (size_t i = 0; i < model->picture_count; i++) {
@@ -55,6 +57,7 @@ static uint32_t flat_colour(const struct picture *picture, uint32_t colour)
     return out;
 }
 
+/* What is lit in each frame shows no texture. */
 static void drop_picture(const struct model *model, struct model_face *face)
 {
     const struct picture *picture = face->picture ? &model->pictures[face->picture - 1] : NULL;
@@ -87,11 +90,11 @@ static uint32_t add_point(const struct model *model, size_t mover, uint32_t poin
     return (uint32_t)part->point_count++;
 }
 
-void model_part(const struct model *model, size_t mover, struct model *part, uint32_t **numbers)
+void model_part(const struct model *model, size_t mover, bool is_textured, struct model *part, uint32_t **numbers)
 {
     uint32_t *places = grow_zeroed(model->point_count, sizeof *places); /* in the part, from 1 */
     count_part(model, mover, part);
-    if (!mover) copy_pictures(model, part);
+    if (is_textured) copy_pictures(model, part);
     part->face_count = part->corner_count = 0;
     part->alpha_clamped = mover ? 0 : model->alpha_clamped;
     *numbers = grow_zeroed(model->face_count, sizeof **numbers);
@@ -101,7 +104,7 @@ void model_part(const struct model *model, size_t mover, struct model *part, uin
         (*numbers)[part->face_count] = (uint32_t)i + 1;
         part->faces[part->face_count] = *face;
         part->faces[part->face_count].first = (uint32_t)part->corner_count;
-        if (mover)
+        if (!is_textured)
             drop_picture(model, &part->faces[part->face_count]);
         else
             count_picture(part, face);

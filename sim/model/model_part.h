@@ -8,8 +8,8 @@
 
 /* The faces of one mover, 1 .. mover_count, in its own coordinates; 0: of none. numbers[i] is the number in the model
  * of face i of the part. Both are the caller's to free, the part first: it knows the
- * numbers. Pictures stay with what stands still; movers get their mean
- * colours. */
-void model_part(const struct model *model, size_t mover, struct model *part, uint32_t **numbers);
+ * numbers. is_textured: with pictures, in the sizes that those of all parts together get; else faces have
+ * their mean colours. */
+void model_part(const struct model *model, size_t mover, bool is_textured, struct model *part, uint32_t **numbers);
 
 #endif

@@ -70,6 +70,7 @@ static bool copy_object(struct ids *ids, size_t index)
     ids->colours += original->polygon_count;
     ids->objects[index] = *original;
     ids->objects[index].polygons = polygons;
+    ids->objects[index].texture_count = 0; /* as of the scene */
     return true;
 }
 

@@ -14,6 +14,24 @@ static bool object_name(const struct named_scene *scene, size_t i, char name[C_P
     return c_path(name, scene->name, suffix, err);
 }
 
+bool c_movers_share_textures(const struct named_scene *scene)
+{
+    bool share = false;
+    for (size_t i = 0; scene->moving && i < scene->moving->count; i++)
+        share = share || scene->moving->objects[i].words;
+    return share;
+}
+
+/* For the objects' sources. */
+static void declare_textures(FILE *file, const struct lim_scene *scene, const char *symbol)
+{
+    fprintf(file,
+            "#if LIM_HAS_TEXTURE\nextern const LIM_FLASH struct lim_texture %s_textures[%u];\n"
+            "extern const LIM_FLASH uint16_t %s_palettes[%u];\nextern const LIM_FLASH uint8_t %s_texels[%u];\n#endif\n",
+            symbol, (unsigned)scene->texture_count, symbol, (unsigned)scene->palette_colours, symbol,
+            scene->texel_blocks * (unsigned)LIM_TEXEL_BLOCK);
+}
+
 /* A node may be called anything: what would end the comment, or its line, is left out. */
 static void write_in_comment(FILE *file, const char *text)
 {
@@ -48,6 +66,7 @@ void c_movers_declare(FILE *file, const struct named_scene *scene, const struct 
                 name->macro, moving->light.to_q14[0], moving->light.to_q14[1], moving->light.to_q14[2],
                 (unsigned)moving->light.middle_q8, (unsigned)moving->light.swing_q8);
     fprintf(file, "\nextern const struct lim_moved *const %s_movers;\n", name->symbol);
+    if (c_movers_share_textures(scene)) declare_textures(file, &scene->scene->scene, name->symbol);
     for (size_t i = 0; i < moving->count; i++)
         fprintf(file, "extern const struct lim_scene %s_object%zu_scene LIM_AGREES(%s_object%zu_scene);\n",
                 name->symbol, i + 1, name->symbol, i + 1);
@@ -86,7 +105,8 @@ static bool put_objects(const struct named_scene *scene, const char *header, str
 {
     for (size_t i = 0; i < scene->moving->count; i++) {
         char name[C_PATH_MAX_B];
-        const struct named_scene object = {&scene->moving->objects[i].scene, name, NULL};
+        const struct moving_object *own = &scene->moving->objects[i];
+        const struct named_scene object = {&own->scene, name, NULL, own->words ? scene->name : NULL};
         if (!object_name(scene, i, name, err) || !c_source_put(&object, header, outputs, err)) return false;
     }
     return true;

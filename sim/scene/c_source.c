@@ -15,6 +15,14 @@ static void begin_array(FILE *file, const struct c_name *prefix, const char *typ
     fprintf(file, "\nstatic const LIM_FLASH %s %s_%s[%u] = {", type, prefix->symbol, name, count);
 }
 
+/* Objects may lead into it. */
+static void begin_shared(FILE *file, const struct c_name *prefix, const char *type, const char *name, unsigned count,
+                         bool is_shared)
+{
+    fprintf(file, "\n%sconst LIM_FLASH %s %s_%s[%u] = {", is_shared ? "" : "static ", type, prefix->symbol, name,
+            count);
+}
+
 static void end_array(FILE *file)
 {
     fputs("\n};\n", file);
@@ -183,9 +191,9 @@ static void write_uvs(FILE *file, const struct lim_scene *scene, const struct c_
     end_array(file);
 }
 
-static void write_looks(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+static void write_looks(FILE *file, const struct lim_scene *scene, const struct c_name *prefix, bool is_shared)
 {
-    begin_array(file, prefix, "struct lim_texture", "textures", scene->texture_count);
+    begin_shared(file, prefix, "struct lim_texture", "textures", scene->texture_count, is_shared);
     for (size_t i = 0; i < scene->texture_count; i++) {
         const struct lim_texture *texture = &scene->textures[i];
         fprintf(file, "%s{%u, %u, %u, %u, %u, %u},", i % 4 ? " " : "\n    ", (unsigned)texture->texels,
@@ -195,30 +203,34 @@ static void write_looks(FILE *file, const struct lim_scene *scene, const struct 
 }
 
 /* Numbers, which the macro turns into what memory holds. */
-static void write_palettes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+static void write_palettes(FILE *file, const struct lim_scene *scene, const struct c_name *prefix, bool is_shared)
 {
-    begin_array(file, prefix, "uint16_t", "palettes", scene->palette_colours);
+    begin_shared(file, prefix, "uint16_t", "palettes", scene->palette_colours, is_shared);
     for (size_t i = 0; i < scene->palette_colours; i++)
         fprintf(file, "%sLIM_MEMORY_COLOUR(%u),", i % 4 ? " " : "\n    ", lim_memory_colour(scene->palettes[i]));
     end_array(file);
 }
 
-static void write_texels(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+static void write_texels(FILE *file, const struct lim_scene *scene, const struct c_name *prefix, bool is_shared)
 {
     const unsigned count = scene->texel_blocks * (unsigned)LIM_TEXEL_BLOCK;
-    begin_array(file, prefix, "uint8_t", "texels", count);
+    begin_shared(file, prefix, "uint8_t", "texels", count, is_shared);
     for (size_t i = 0; i < count; i++)
         fprintf(file, "%s%u,", i % NUMBERS_A_LINE ? " " : "\n    ", scene->texels[i]);
     end_array(file);
 }
 
-static void write_textures(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+/* An object's are in the file of the scene that it moves in. */
+static void write_textures(FILE *file, const struct named_scene *named, const struct c_name *prefix)
 {
+    const struct lim_scene *scene = &named->scene->scene;
+    const bool is_shared = c_movers_share_textures(named);
     if (scene->mapping_count) write_mappings(file, scene, prefix);
     if (*scene->uvs) write_uvs(file, scene, prefix);
-    write_looks(file, scene, prefix);
-    write_palettes(file, scene, prefix);
-    write_texels(file, scene, prefix);
+    if (named->textures_of) return;
+    write_looks(file, scene, prefix, is_shared);
+    write_palettes(file, scene, prefix, is_shared);
+    write_texels(file, scene, prefix, is_shared);
 }
 
 /* C has no arrays of no elements: what is empty is left out, here and where it is written. */
@@ -227,14 +239,15 @@ static void write_pointer(FILE *file, const struct c_name *prefix, const char *f
     if (count) fprintf(file, "    .%s = %s_%s,\n", field, prefix->symbol, field);
 }
 
-static void write_texture_fields(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+static void write_texture_fields(FILE *file, const struct lim_scene *scene, const struct c_name *prefix,
+                                 const struct c_name *textures)
 {
     if (!scene->texture_count) return;
     write_pointer(file, prefix, "mappings", scene->mapping_count);
     if (*scene->uvs) fprintf(file, "    .uvs = {%s_uvs},\n", prefix->symbol);
-    write_pointer(file, prefix, "textures", scene->texture_count);
-    write_pointer(file, prefix, "palettes", scene->palette_colours);
-    write_pointer(file, prefix, "texels", scene->texel_blocks);
+    write_pointer(file, textures, "textures", scene->texture_count);
+    write_pointer(file, textures, "palettes", scene->palette_colours);
+    write_pointer(file, textures, "texels", scene->texel_blocks);
     fprintf(file,
             "    .mapping_count = %u,\n    .texture_count = %u,\n    .palette_colours = %u,\n    .texel_blocks = %u,\n",
             (unsigned)scene->mapping_count, (unsigned)scene->texture_count, (unsigned)scene->palette_colours,
@@ -251,7 +264,8 @@ static void write_portals(FILE *file, const struct lim_scene *scene, const struc
             (unsigned)scene->pvs_bytes);
 }
 
-static void write_scene(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+static void write_scene(FILE *file, const struct lim_scene *scene, const struct c_name *prefix,
+                        const struct c_name *textures)
 {
     const struct lim_limits *limits = &scene->limits;
     fprintf(file, "\nconst struct lim_scene %s_scene = {\n", prefix->symbol);
@@ -272,7 +286,7 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
     fprintf(file, "    .box_count = %u,\n    .polygon_words = %u,\n    .polygon_count = %u,\n    .background = %u,\n",
             (unsigned)scene->box_count, (unsigned)scene->polygon_words, (unsigned)scene->polygon_count,
             (unsigned)scene->background);
-    write_texture_fields(file, scene, prefix);
+    write_texture_fields(file, scene, prefix, textures);
     fprintf(file,
             "    .limits = {.depth = %u, .vertices = %u, .retained_cells = %u, .gaps = %u, .active = %u,\n"
             "               .pieces = %u, .layers = %u, .leaf_vertices = %u, .leaf_polygons = %u},\n};\n",
@@ -281,10 +295,10 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
             (unsigned)limits->leaf_vertices, (unsigned)limits->leaf_polygons);
 }
 
-static void write_source(FILE *file, const struct compiled *scene, const struct c_name *prefix,
-                         const struct c_name *header)
+static void write_source(FILE *file, const struct named_scene *named, const struct c_name *prefix,
+                         const struct c_name *textures, const struct c_name *header)
 {
-    const struct lim_scene *arrays = &scene->scene;
+    const struct lim_scene *arrays = &named->scene->scene;
     fprintf(file, "/* The arrays of %s, declared in %s.h; written by `limner compile`. */\n", prefix->file,
             header->file);
     fprintf(file, "#include \"%s.h\"\n\n", header->file);
@@ -300,13 +314,13 @@ static void write_source(FILE *file, const struct compiled *scene, const struct 
     if (arrays->exact_count) write_exact(file, arrays, prefix);
     if (arrays->box_count) write_boxes(file, arrays, prefix);
     write_polygons(file, arrays, prefix);
-    if (arrays->texture_count) write_textures(file, arrays, prefix);
+    if (arrays->texture_count) write_textures(file, named, prefix);
     if (arrays->place_count) {
         fputs("\n#if LIM_HAS_PORTALS", file);
         write_places(file, arrays, prefix);
         fputs("#endif\n", file);
     }
-    write_scene(file, arrays, prefix);
+    write_scene(file, arrays, prefix, textures);
 }
 
 /* Files -------------------------------------------------------------------------------------- */
@@ -314,19 +328,20 @@ static void write_source(FILE *file, const struct compiled *scene, const struct 
 bool c_source_put(const struct named_scene *scene, const char *header, struct outputs *outputs, struct error *err)
 {
     char path[C_PATH_MAX_B];
-    struct c_name name, header_name;
+    struct c_name name, textures, header_name;
     if (!c_path(path, scene->name, ".c", err) || !c_name_init(&name, scene->name, err) ||
+        !c_name_init(&textures, scene->textures_of ? scene->textures_of : scene->name, err) ||
         !c_name_init(&header_name, header, err))
         return false;
     FILE *file = outputs_open(outputs, path, err);
     if (!file) return false;
-    write_source(file, scene->scene, &name, &header_name);
+    write_source(file, scene, &name, &textures, &header_name);
     return outputs_close(file, path, err);
 }
 
 bool c_source_write(const struct compiled *scene, const char *name, struct error *err)
 {
-    const struct named_scene named = {scene, name, scene->moving};
+    const struct named_scene named = {scene, name, scene->moving, NULL};
     struct outputs outputs = {0};
     bool ok = c_header_put(&named, 1, name, &outputs, err) && c_source_put(&named, name, &outputs, err) &&
               (!named.moving || c_movers_put(&named, name, &outputs, err));

@@ -227,6 +227,29 @@ void lim_image_set_pvs(struct compiled *scene, const struct lim_place *places, s
     lim_image_bind(image, scene);
 }
 
+void lim_image_set_textures(struct compiled *scene, const struct texture_arrays *arrays)
+{
+    const void *const others[SECTION_COUNT] = {[SECTION_TEXTURES] = arrays->textures,
+                                               [SECTION_PALETTES] = arrays->palettes,
+                                               [SECTION_TEXELS] = arrays->texels};
+    struct lim_file_header header;
+    memcpy(&header, scene->image, sizeof header);
+    header.counts[SECTION_TEXTURES] = (uint32_t)arrays->texture_count;
+    header.counts[SECTION_PALETTES] = (uint32_t)arrays->palette_colours;
+    header.counts[SECTION_TEXELS] = (uint32_t)(arrays->texel_count / LIM_TEXEL_BLOCK);
+    header.file_b = (uint32_t)lim_image_section_b(&header, SECTION_COUNT);
+    unsigned char *image = grow_zeroed(header.file_b, 1);
+    memcpy(image, &header, sizeof header);
+    for (int i = 0; i < SECTION_COUNT; i++) {
+        const enum lim_section section = (enum lim_section)i;
+        if (header.counts[i])
+            memcpy(image + lim_image_section_b(&header, section),
+                   others[i] ? others[i] : section_at(scene->image, section), header.counts[i] * SECTIONS[i].size_b);
+    }
+    free(scene->image);
+    lim_image_bind(image, scene);
+}
+
 void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits)
 {
     struct lim_file_header *header = scene->image;

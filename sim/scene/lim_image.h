@@ -67,6 +67,9 @@ void lim_image_bind(void *image, struct compiled *scene);
 void lim_image_set_pvs(struct compiled *scene, const struct lim_place *places, size_t place_count, const uint8_t *pvs,
                        size_t pvs_bytes);
 
+/* Gives a scene other textures, palettes and texels: makes its image anew. The arrays stay the caller's. */
+void lim_image_set_textures(struct compiled *scene, const struct texture_arrays *arrays);
+
 /* Sets the limits of the scene and of its image. */
 void lim_image_set_limits(struct compiled *scene, const struct lim_limits *limits);
 

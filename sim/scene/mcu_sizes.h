@@ -40,6 +40,7 @@ enum {
     MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
     MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */
     MCU_MOVER_LIGHT_B = 8,     /* more of them if light turns */
+    MCU_MOVER_TEXTURE_B = 88,  /* more of them if the scene has textures */
     MCU_ROUTE_B = 6,
     MCU_MOVED_B = 16, /* in flash */
     /* More of them in a wide scene (width.h): of an entry of the cache, a pending node, a mover, an entry of the sorted

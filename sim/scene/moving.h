@@ -11,6 +11,7 @@
 struct moving_object {
     char name[MODEL_NAME_B];
     struct compiled scene; /* its faces have the model's numbers */
+    lim_index *words;      /* scene.scene.polygons, if they name textures of the scene that it moves in; else NULL */
     struct lim_motion motion;
     struct lim_motion_key *keys;
 };

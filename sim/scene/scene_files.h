@@ -16,6 +16,7 @@ struct named_scene {
     const struct compiled *scene;
     const char *name;
     const struct moving *moving; /* what moves in it; NULL: nothing */
+    const char *textures_of;     /* whose textures it shows; NULL: its own */
 };
 
 /* .lim files: versioned, checksummed, little-endian. A refused file is named with the reason:
@@ -49,6 +50,9 @@ bool c_movers_put(const struct named_scene *scene, const char *header, struct ou
 
 /* The same objects as NAME_object1.lim, and so on. */
 bool lim_movers_put(const struct named_scene *scene, struct outputs *outputs, struct error *err);
+
+/* Whether some of what moves in it shows its textures. */
+bool c_movers_share_textures(const struct named_scene *scene);
 
 /* What NAME.h says of that. */
 void c_movers_declare(FILE *file, const struct named_scene *scene, const struct c_name *name);

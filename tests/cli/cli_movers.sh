@@ -130,9 +130,17 @@ textured_says_so() { # the ball shows a picture
         s/^\( *{"bufferView": 42,.*}\)\],/\1, {"bufferView": 18, "componentType": 5126, "count": 384, "type": "VEC2"}],/' || return 1
     for command in "compile --report" "render --stats"; do
         # shellcheck disable=SC2086 # two words
-        "$BUILD/limner" $command "$work/changed.gltf" >"$work/said" 2>&1 &&
+        "$BUILD/limner" $command "$work/changed.gltf" --mover-light turning >"$work/said" 2>&1 &&
             says "note: object 'ball': textures are not drawn on what moves$" && [ "$(grep -c note: "$work/said")" -eq 1 ] || return 1
     done
+}
+
+# The ball's texture is the scene's, in whose file it is; the same pixels in firmware (measure compares hashes).
+textured_shows_it() {
+    "$BUILD/limner" compile "$work/changed.gltf" -o "$work/textured" >"$work/said" 2>&1 && ! grep -q 'note: object' "$work/said" &&
+        grep -q '^const LIM_FLASH uint8_t textured_texels' "$work/textured.c" && grep -q 'textures = textured_textures' "$work"/textured_object1.c &&
+        ! grep -q '_texels\[' "$work"/textured_object1.c &&
+        "$BUILD/limner" measure "$work/changed.gltf" --size 64x64 --camera random:1:2 --precision fast --core m4 -o "$work/measured" >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
 }
 
 view() { # DUMP [OPTION...]: without a display, one frame
@@ -230,7 +238,8 @@ tap_check "a scene in which nothing stands still is refused" refused_changed \
     's/"scenes": [[]{"nodes": [[].*/"scenes": [{"nodes": [9, 10, 11, 12, 13]}],/'
 tap_check "an animation without keys stands still, and a line says so" noticed_without_keys
 tap_check "an animated node without a mesh moves nothing, and a line says so" noticed
-tap_check "a textured mover has one colour, and a line says so" textured_says_so
+tap_check "a textured mover has one colour where it is lit in each frame, and a line says so" textured_says_so
+tap_check "else it shows its texture, which is the scene's" textured_shows_it
 no_firmware() { ! "$BUILD/limner" compile $model --method newell -o "$work/sorted" >/dev/null 2>"$work/said" && [ ! -e "$work/sorted.h" ] &&
     grep -q '^limner: --method newell: it moves no objects' "$work/said"; }
 tap_check "nor is firmware made for it" no_firmware
