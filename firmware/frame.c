@@ -6,7 +6,6 @@
 
 #include "ahead.h"
 #include "eye.h"
-#include "math/orientation.h"
 #include "movers/mover.h"
 #include "orders/convex.h"
 #include "orders/mesh_frame.h"
@@ -166,14 +165,6 @@ static int draw_frame(struct lim *lim)
     return lim_nearest_frame(lim->nearest, LIM_AHEAD_BEGUN);
 }
 
-static LIM_IF_CALLED void begin_textures(struct lim_pass *pass, const struct lim_camera *camera)
-{
-    int32_t axes_q30[9];
-
-    lim_orientation_set(axes_q30, camera);
-    lim_texture_begin(pass->texturing, pass->scene, &pass->view, camera, axes_q30);
-}
-
 static LIM_IN_EACH_CALLER int set_camera(struct lim *lim, const struct lim_camera *camera)
 {
     struct lim_pass *pass = &lim->pass;
@@ -182,7 +173,8 @@ static LIM_IN_EACH_CALLER int set_camera(struct lim *lim, const struct lim_camer
     if (LIM_HAS_STATS) *lim_stats_of(pass) = (struct lim_stats){0};
     if (LIM_HAS_SPANS) lim->nearest->bands = 0;
     if (!lim_view_begin(&pass->view, pass->scene, camera)) return LIM_ERR_CAMERA;
-    if (LIM_HAS_TEXTURE && lim_texture_count(pass->scene)) begin_textures(pass, camera);
+    if (LIM_HAS_TEXTURE && lim_texture_count(pass->scene))
+        lim_texture_begin(pass->texturing, pass->scene, &pass->view, camera);
     if (LIM_HAS_PLANES) lim_eye_set(lim_eye_of(pass), pass->scene, camera->eye_q8);
     if (LIM_HAS_PORTALS) lim_walk_look_around(pass->walk, camera, pass->view.rows.far_units);
     if (LIM_HAS_MOVERS) lim_movers_pose(lim->movers, pass, camera);

@@ -173,7 +173,7 @@ static void turn_rows(struct lim_view *view, const struct lim_scene *scene, cons
 /* Textures are the scene's: an object with others shows the colours of its records, and so does one that deforms, whose
  * mappings are those of other planes, or that is lit. */
 static LIM_IF_CALLED void turn_textures(const struct lim_movers *movers, uint16_t mover, const struct lim_camera *own,
-                                        int32_t own_axes_q30[9])
+                                        const int32_t own_axes_q30[9])
 {
     const struct lim_instance *instance = &movers->instances[mover];
     struct lim_mover *self = &movers->movers[mover];
@@ -184,7 +184,7 @@ static LIM_IF_CALLED void turn_textures(const struct lim_movers *movers, uint16_
         (LIM_HAS_LIGHT && movers->light->on))
         return;
     if (lim_texture_add_moved(frame, self->texturing, frame->scene->polygon_words, instance->object->polygon_words))
-        lim_texture_begin(self->texturing, instance->object, &self->view, own, own_axes_q30);
+        lim_texture_begin_turned(self->texturing, instance->object, &self->view, own, own_axes_q30);
 }
 
 /* The camera, as the object sees it. */

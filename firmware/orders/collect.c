@@ -231,7 +231,7 @@ static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim
         shown = seen;
     }
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons_seen++;
-    const uint16_t texture = moving ? moving_word(moving, record) : texture_word(pass, record);
+    const uint16_t texture = LIM_HAS_MOVERS && moving ? moving_word(moving, record) : texture_word(pass, record);
     const bool textured = LIM_HAS_TEXTURE && texture != LIM_NONE;
     if (textured) nearest->retained.textured = true;
     lim_retained_link(&nearest->spans, &nearest->retained, &nearest->spans.lines[shown.top], n, shape->first,

@@ -6,13 +6,15 @@
  * gradient adds up to over half a screen of 240 pixels is 2^-23 of the largest depth on the screen. */
 #include "pixels/texture.h"
 
+#include "math/orientation.h"
+
 #if LIM_HAS_TEXTURE
 
 enum { PLANE_BITS = 30 };
 
 /* Once a frame ------------------------------------------------------------------------------------- */
 
-static void set_axis(struct lim_texture_axis *axis, const int32_t way_q30[3])
+static LIM_IN_EACH_CALLER void set_axis(struct lim_texture_axis *axis, const int32_t way_q30[3])
 {
     for (uint_fast8_t i = 0; i < LIM_TEXTURE_AXES; i++) {
         const int32_t way = way_q30[i % 3];
@@ -23,7 +25,7 @@ static void set_axis(struct lim_texture_axis *axis, const int32_t way_q30[3])
 
 /* tan / side = mantissa / 2^31 / 2^bits. Both mantissas are cut, by 2^-21 at most: the texture is that much too narrow,
  * a 4000th of a pixel. */
-static int32_t texture_mantissa_of(uint32_t tan_q28, int16_t side_px, int8_t *bits)
+static LIM_IN_EACH_CALLER int32_t texture_mantissa_of(uint32_t tan_q28, int16_t side_px, int8_t *bits)
 {
     uint8_t zeros, more;
     const uint32_t quotient = normalise_u32(tan_q28, &zeros) / (uint16_t)side_px;
@@ -41,14 +43,19 @@ static inline int32_t moved(int32_t x, int_fast16_t bits)
 
 /* What a half-pixel adds to the way ahead. In profiles without limbs all three axes are of one length, such that no sum
  * over twice the screen leaves 31 bits. */
-static void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera, int32_t axes_q30[9])
+static LIM_IN_EACH_CALLER void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera,
+                                                const int32_t *turned_q30)
 {
     const uint32_t tans_q28[2] = {camera->tan_x_q28, camera->tan_y_q28};
     const int16_t sides_px[2] = {texturing->w_px, texturing->h_px};
     /* 1 + 3 tan_x + tan_y: twice as much is 2^bits or less. */
     const uint32_t most_q25 = (UINT32_C(1) << 25) + (tans_q28[0] >> 2) + (tans_q28[0] >> 3) + (tans_q28[1] >> 3) + 1;
     const int8_t shorter = LIM_HAS_LIMBS ? 0 : (int8_t)(6 - clz_u32(most_q25));
+    int32_t axes_q30[9];
 
+    if (!turned_q30) lim_orientation_set(axes_q30, camera);
+    for (uint_fast8_t k = 0; turned_q30 && k < 9; k++)
+        axes_q30[k] = turned_q30[k];
     for (uint_fast8_t i = 0; i < 2; i++) {
         int8_t bits;
         const int32_t mantissa_q31 = texture_mantissa_of(tans_q28[i], sides_px[i], &bits);
@@ -63,8 +70,9 @@ static void texture_set_axes(struct lim_texturing *texturing, const struct lim_c
         set_axis(&texturing->axes[i], &axes_q30[3 * i]);
 }
 
-void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
-                       const struct lim_camera *camera, int32_t axes_q30[9])
+static LIM_IN_EACH_CALLER void begin_by_axes(struct lim_texturing *texturing, const struct lim_scene *scene,
+                                             const struct lim_view *view, const struct lim_camera *camera,
+                                             const int32_t *turned_q30)
 {
     texturing->scene = scene;
     texturing->w_px = (int16_t)view->width.px;
@@ -75,11 +83,23 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
         texturing->eye_high[i] = (int16_t)((at_q8 + 0x8000) >> 16);
         texturing->eye_low_q8[i] = (int16_t)(at_q8 - texturing->eye_high[i] * INT32_C(65536));
     }
-    texture_set_axes(texturing, camera, axes_q30);
+    texture_set_axes(texturing, camera, turned_q30);
     /* log2 of a pixel's side at depth 1, the mean of both: 2 tan / side. */
     const int16_t sum_q4 = (int16_t)(log2_q4(camera->tan_x_q28) + log2_q4(camera->tan_y_q28) -
                                      log2_q4((uint32_t)texturing->w_px) - log2_q4((uint32_t)texturing->h_px));
     texturing->level_q4 = (int16_t)((sum_q4 >> 1) - 27 * 16);
+}
+
+void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
+                       const struct lim_camera *camera)
+{
+    begin_by_axes(texturing, scene, view, camera, NULL);
+}
+
+void lim_texture_begin_turned(struct lim_texturing *texturing, const struct lim_scene *object,
+                              const struct lim_view *view, const struct lim_camera *camera, const int32_t axes_q30[9])
+{
+    begin_by_axes(texturing, object, view, camera, axes_q30);
 }
 
 /* Once a polygon ----------------------------------------------------------------------------------- */

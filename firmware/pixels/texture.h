@@ -35,10 +35,14 @@ struct lim_texture_line {
     uint16_t divisions;        /* so far */
 };
 
-/* Once a frame, after lim_view_begin(). axes_q30: of the camera (orientation.h); they are used up. The same of an
- * object that moves, whose textures are those of the frame's scene, with view, camera and axes as it sees them. */
+/* Once a frame, after lim_view_begin(). */
 void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
-                       const struct lim_camera *camera, int32_t axes_q30[9]);
+                       const struct lim_camera *camera);
+
+/* The same of an object that moves, whose textures are those of the frame's scene, with view, camera and the camera's
+ * axes as it sees them. */
+void lim_texture_begin_turned(struct lim_texturing *texturing, const struct lim_scene *object,
+                              const struct lim_view *view, const struct lim_camera *camera, const int32_t axes_q30[9]);
 
 /* What moves has moved: no object has begun. */
 static inline void lim_texture_forget_moved(struct lim_texturing *frame)
