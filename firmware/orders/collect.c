@@ -199,8 +199,8 @@ struct moving_look {
 static inline uint16_t moving_word(const struct moving_look *moving, const LIM_FLASH lim_index *record)
 {
     if (!LIM_HAS_TEXTURE || !(record[0] & LIM_POLYGON_TEXTURE) || moving->first_word == LIM_NONE) return LIM_NONE;
-    return (uint16_t)(record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS - moving->object->polygons +
-                      moving->first_word);
+    const LIM_FLASH lim_index *const words = record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS;
+    return (uint16_t)(moving->first_word + (uint16_t)(words - moving->object->polygons));
 }
 
 /* A polygon that is opaque and neither clipped nor non-monotone, whose points lie where they would be retained: none of
