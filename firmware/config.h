@@ -405,15 +405,12 @@
 #define LIM_WORD_ALIGNED
 #endif
 
-/* LIM_RARE: code for the rare case, out of line, so that the common one stays short. LIM_UNLIKELY: a condition that
- * seldom holds. LIM_IN_EACH_CALLER: inlined in each, even where small code is asked for; programs have but one of them.
- */
+/* LIM_UNLIKELY: a condition that seldom holds. LIM_IN_EACH_CALLER: inlined in each, even where small code is asked for;
+ * programs have but one of them. */
 #if defined(__GNUC__)
-#define LIM_RARE __attribute__((noinline, cold))
 #define LIM_UNLIKELY(condition) __builtin_expect(condition, 0)
 #define LIM_IN_EACH_CALLER inline __attribute__((always_inline))
 #else
-#define LIM_RARE
 #define LIM_UNLIKELY(condition) (condition)
 #define LIM_IN_EACH_CALLER inline
 #endif
@@ -422,8 +419,7 @@
 #define LIM_MUST_CHECK __attribute__((warn_unused_result))
 
 /* LIM_ALONE: not inlined, but not rare, as a loop that wants all registers for itself. LIM_IF_CALLED: of a static
- * function that calls a part which may not be linked; where nothing calls it, it is left out even without an optimizer.
- */
+ * function that calls what may not be linked; where nothing calls it, it is left out even without an optimizer. */
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define LIM_ALONE __attribute__((noinline))
 #define LIM_IF_CALLED
@@ -435,7 +431,8 @@
 #define LIM_IF_CALLED
 #endif
 
-/* Inlined wherever it is called, unless small code is asked for; the second, of hot loops, unless the smallest is. */
+/* Inlined wherever it is called, unless small code is asked for; the second, of hot loops, unless the smallest is.
+ * LIM_RARE: code for the rare case, out of line, so that the common one stays short; a call makes small code larger. */
 #if defined(__GNUC__) && !LIM_OPTIMISE_SIZE
 #define LIM_INLINE inline __attribute__((always_inline))
 #else
@@ -443,8 +440,10 @@
 #endif
 #if defined(__GNUC__) && LIM_HOT
 #define LIM_HOT_INLINE inline __attribute__((always_inline))
+#define LIM_RARE __attribute__((noinline, cold))
 #else
 #define LIM_HOT_INLINE inline
+#define LIM_RARE
 #endif
 
 /* Before a loop of n turns, which are written out. */

@@ -21,15 +21,6 @@
 
 #if LIM_HAS_SPANS
 
-void lim_nearest_shrink(struct lim_nearest *nearest)
-{
-    const bool smaller = lim_spans_shrink(&nearest->spans);
-
-    if (LIM_HAS_CULL && smaller)
-        lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8,
-                     &nearest->spans.open);
-}
-
 /* SPAN for one polygon that is not non-monotone, on the lines `shown`, which shrink to those of which something was
  * open. sink: for the pieces, with `look`, where they are painted at once, and nobody asks for lines; or NULL. false: a
  * pool is exhausted. */

@@ -2,13 +2,14 @@
  *
  * The candidate has a BSP tree: what other trees are good at, dense parts, it has no planes of. A part errs where a
  * pixel shows one of its polygons, or should, and another is there; as many such pixels as the scene without leaves has
- * are edges. */
+ * are edges. A part that costs more where the eye is near it is left to the tree, whatever the mean of all cameras. */
 #include "compiler/mesh_leaf_choice.h"
 
 #include "accuracy/predict.h"
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/map.h"
+#include "compiler/leaf_places.h"
 #include "compiler/mesh_choice.h"
 #include "model/original.h"
 #include "scene/mcu_mem.h"
@@ -67,7 +68,11 @@ bool leaf_trial_begin(struct leaf_trial *trial, const struct mesh *mesh, const s
         return false;
     scene->report.leaf_parts = (struct leaf_report){
         .tried = true, .without_instructions = scene->report.instructions, .instructions = NAN, .wrong_percent = NAN};
-    return compile_leaves(trial, scene);
+    if (!compile_leaves(trial, scene)) return false;
+    if (scene->report.path.count) return true; /* its cameras are all that count */
+    scene->report.leaf_parts.dear_near =
+        leaf_places_leave_out(scene, &trial->candidate, options->core, mesh, &trial->work.parts);
+    return !scene->report.leaf_parts.dear_near || compile_leaves(trial, scene);
 }
 
 /* Errors ---------------------------------------------------------------------------------------- */
@@ -136,6 +141,7 @@ static void take(struct leaf_trial *trial, struct compiled *scene)
     struct leaf_report *report = &trial->candidate.report.leaf_parts;
     report->tried = true;
     report->attempts = weighed.attempts;
+    report->dear_near = weighed.dear_near;
     report->instructions = weighed.instructions;
     report->without_instructions = weighed.without_instructions;
     report->wrong_percent = weighed.wrong_percent;

@@ -53,7 +53,8 @@ static void print_choice(const struct compile_report *report)
     else if (report->choice.kind == CHOICE_LONG)
         printf("    %-26s others take long with so many polygons; --tree auto tries them\n", "chosen:");
     else if (report->choice.kind == CHOICE_NEEDLESS)
-        printf("    %-26s it splits less than a quarter of the polygons\n", "chosen:");
+        printf("    %-26s it splits less than a quarter, and reaches %.1f polygons for one that is seen\n",
+               "chosen:", report->reached_a_seen);
     else if (report->tree == TREE_BSP)
         printf("    %-26s no other tree spares a tenth of its instructions\n", "chosen:");
     else
