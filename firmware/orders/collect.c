@@ -183,8 +183,8 @@ static inline uint16_t texture_word(const struct lim_pass *pass, const LIM_FLASH
 
 /* A polygon that is opaque and neither clipped nor non-monotone, whose points lie where they would be retained: none of
  * it is ever copied. What moves has no texture. */
-static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim_index *record, struct lim_point *at,
-                                uint8_t n, struct lim_edge_shape *shape, bool moves)
+static inline enum outcome collect_shape(struct lim_nearest *nearest, const LIM_FLASH lim_index *record,
+                                         struct lim_point *at, uint8_t n, struct lim_edge_shape *shape, bool moves)
 {
     struct lim_pass *const pass = nearest->pass;
     const struct lim_rect *open = &nearest->spans.open;
@@ -235,7 +235,7 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, struct lim_
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons++;
     if (lim_view_all_outside(codes)) return NOTHING_OPEN;
     if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) nearest->retained.overhangs = true;
-    return take(nearest, record, at, n, &shape, moves);
+    return collect_shape(nearest, record, at, n, &shape, moves);
 }
 
 /* What follows a polygon. false: a pool is exhausted. */
@@ -292,7 +292,7 @@ static inline enum outcome collect_fast_entry(struct lim_nearest *nearest, const
 
     if (!at || !lim_mesh_leaf_corners(leaf, record, n, at) || !lim_edge_bounds_plain(&shape, at, n)) return SLOW_PATH;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons++;
-    return take(nearest, record, at, n, &shape, false);
+    return collect_shape(nearest, record, at, n, &shape, false);
 }
 
 static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
