@@ -378,7 +378,18 @@ $(BUILD)/tests/boards/walked: $(BUILD)/host/tests/boards/walked.o $(library)
 	@echo "LD $@"
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
+# And what they do in maps of Doom: another walker comes before the library's.
+$(BUILD)/host/tests/boards/player.o: boards/common/walker.c $(BUILD)/host/flags
+	@mkdir -p $(@D)
+	@$(CCACHE) $(CC) @$(BUILD)/host/flags -DBOARD_PLAYER=1 -c -o $@ $<
+
+$(BUILD)/tests/boards/walked_level: $(BUILD)/host/tests/boards/walked.o $(BUILD)/host/tests/boards/player.o $(library)
+	@mkdir -p $(@D)
+	@echo "LD $@"
+	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
+
 tests/boards/boards_lm3s6965evb.sh: $(BUILD)/tests/boards/walked
+tests/boards/boards_level.sh: $(BUILD)/tests/boards/walked_level
 
 tests/export/export_arduino.sh: $(BUILD)/simavr_oled
 
