@@ -88,7 +88,7 @@ packages-predictions    := $(packages-models)
 packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-bench         := $(packages-tradeoff) $(packages-models) freedoom valgrind
 packages-bench-baseline := $(packages-bench)
-packages-boards        := sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
+packages-boards        := freedoom sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
 packages-methods        := gcc-arm-none-eabi qemu-system-arm freedoom $(packages-models)
 packages-delta-cost    := gcc-arm-none-eabi qemu-system-arm
 packages-overlay-cost  := gcc-arm-none-eabi qemu-system-arm
@@ -367,7 +367,7 @@ suite-arm64     := tests/arm64.sh
 suite-slow      := $(suite-prove) $(patsubst %,tests/%.sh,sanitize_scenes cross_cplusplus \
 	$(addprefix arm/arm_,footprint balance compare splitters) \
 	$(addprefix cpus/cpus_,rooms sorted wireframe begin m33 lx106 assert movers antialias glass cplusplus config) \
-	$(addprefix boards/boards_,frames card pico esp32c3 stm32) $(addprefix export/export_,plain size) \
+	$(addprefix boards/boards_,frames card level pico esp32c3 stm32) $(addprefix export/export_,plain size) \
 	$(addprefix cli/cli_,compare scale packages trees))
 suite-extremes  := tests/cli/cli_extremes.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
