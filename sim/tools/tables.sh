@@ -37,6 +37,7 @@ methods slow tables-methods methods /limner /generate_bench arm-none-eabi-gcc qe
 scale slow scale scale /limner /generate_scale arm-none-eabi-gcc qemu-system-arm gnuplot
 predictions slow predictions predictions /limner /generate_scale /scenes/demo.obj
 levels slow tables-levels levels /limner arm-none-eabi-gcc qemu-system-arm
+visibility slow tables-visibility visibility /limner
 delta-cost slow tables-delta-cost delta /limner arm-none-eabi-gcc qemu-system-arm
 overlay-cost slow tables-overlay-cost overlay /limner arm-none-eabi-gcc qemu-system-arm
 walk-cost slow tables-walk-cost walks /limner /scenes/demo.obj arm-none-eabi-gcc qemu-system-arm
