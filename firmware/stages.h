@@ -472,9 +472,9 @@ struct lim_layer {
 };
 
 struct lim_layers {
-    struct lim_layer *pool;
-    uint16_t size, used;
-    bool exhausted; /* some did not fit */
+    struct lim_layer *pool, *own; /* of this line: `own`, or idle memory */
+    uint16_t size, own_size, used;
+    bool exhausted, in_idle; /* some did not fit; what was idle is overwritten */
 };
 
 struct lim_smooth {

@@ -38,6 +38,36 @@ bool lim_layers_see(const struct lim_spans *spans, const struct lim_screen_polyg
     return false;
 }
 
+/* As the processor has it that is counted for. */
+static LIM_IF_CALLED uint32_t counted_idle_b(const struct lim_actives *actives, const struct lim_spans *spans,
+                                             uint16_t y)
+{
+    const struct lim_counted *const counted = spans->counted;
+    const size_t taken = actives->in_pool ? (size_t)(actives->at - actives->pool) / sizeof(struct lim_active) : 0;
+    const uint32_t beside = *actives->between_b / counted->active_b; /* those that gaps and cells have room for */
+    const uint32_t taken_b = taken > beside ? (uint32_t)(taken - beside) * counted->active_b : 0;
+    const uint32_t all_b = counted->idle_b + y * (uint32_t)sizeof(struct lim_line);
+
+    return all_b > taken_b ? all_b - taken_b : 0;
+}
+
+void lim_layers_open(struct lim_layers *layers, const struct lim_actives *actives, const struct lim_spans *spans,
+                     uint16_t y)
+{
+    uint8_t *const idle = actives->in_pool ? actives->at : actives->pool;
+    uint32_t idle_b = (uint32_t)((uint8_t *)&spans->lines[y] - idle);
+
+    if (LIM_HAS_STATS && spans->counted->is_apart) {
+        const uint32_t counted_b = counted_idle_b(actives, spans, y);
+        if (counted_b < idle_b) idle_b = counted_b;
+    }
+    const uint16_t size = (uint16_t)(idle_b / sizeof(struct lim_layer));
+    const bool in_idle = size > layers->own_size;
+    layers->pool = in_idle ? (void *)idle : layers->own;
+    layers->size = in_idle ? size : layers->own_size;
+    if (in_idle) layers->in_idle = true;
+}
+
 void lim_layers_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,
                      const struct lim_layer *piece)
 {

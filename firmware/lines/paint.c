@@ -267,6 +267,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
     begin_sink(&sink, paint, y, use);
     lim_actives_count(&paint->actives, spans, stats, y);
+    if (LIM_HAS_TRANSPARENT && retained->transparent) lim_layers_open(paint->layers, &paint->actives, spans, y);
     lim_spans_reset_pool(spans);
     paint_polygons(paint, spans, retained, &open, y, &sink);
     paint_background(spans, &open, paint, &sink);

@@ -137,6 +137,7 @@ static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const s
         *sink.stats = stats;
     }
     lim_actives_count(&paint->actives, spans, stats, y);
+    if (LIM_HAS_TRANSPARENT) lim_layers_open_own(paint->layers);
     lim_spans_reset_pool(spans);
     if (x0 < x1) (void)lim_strips_begin(spans, &open);
     smooth_polygons(paint, spans, retained, &open, (int16_t)y, &sink);

@@ -197,6 +197,7 @@ static void print_portals(const struct portal_report *portals)
            : portals->different ? "left out: pictures differ"
                                 : "left out");
     print_count("rooms", portals->zones);
+    if (portals->given_up) print_count("  that all is seen from", portals->given_up);
     print_count("different visible sets", portals->pvs);
     print_count("bytes", portals->bytes);
     printf("  %-28s %8.1f\n", "polygons a visible set shows", portals->mean_polygons);
@@ -205,6 +206,10 @@ static void print_portals(const struct portal_report *portals)
     printf("  %-28s %8.1f\n", "polygons reached, with", (double)portals->polygons_after / (double)portals->cameras);
     printf("  %-28s %8.1f\n", "vertices, without", (double)portals->vertices_before / (double)portals->cameras);
     printf("  %-28s %8.1f\n", "vertices, with", (double)portals->vertices_after / (double)portals->cameras);
+    if (isnan(portals->cost_before)) return;
+    printf("  %-28s %8.0f, predicted\n", "instructions, without", portals->cost_before / (double)portals->cameras);
+    printf("  %-28s %8.0f, %.1f %% less\n", "instructions, with", portals->cost_after / (double)portals->cameras,
+           100.0 * (1.0 - portals->cost_after / portals->cost_before));
 }
 
 static void print_bytes(const char *what, size_t size_b, size_t polygons)

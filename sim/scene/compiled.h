@@ -16,10 +16,12 @@ struct portal_report {
     bool tried, kept;
     char refused[96];                       /* why not tried; empty: not asked for */
     size_t zones, pvs, bytes;               /* rooms, different visible sets, flash that they take */
+    size_t given_up;                        /* rooms from which everything counts as seen */
     double mean_polygons;                   /* that a visible set shows, from anywhere in closed cells */
     size_t cameras, different;              /* sampled pictures; those that differ with portals: none may */
     size_t polygons_before, polygons_after; /* reached in all of them */
     size_t vertices_before, vertices_after;
+    double cost_before, cost_after; /* frame_cost_work() of all of them, the look-up included; NaN: not known */
 };
 
 /* What another tree than the BSP tree was weighed against. */

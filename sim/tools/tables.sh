@@ -38,6 +38,7 @@ scale slow scale scale /limner /generate_scale arm-none-eabi-gcc qemu-system-arm
 predictions slow predictions predictions /limner /generate_scale /scenes/demo.obj
 levels slow tables-levels levels /limner arm-none-eabi-gcc qemu-system-arm
 doom slow tables-doom doom /limner apt-get valgrind
+visibility slow tables-visibility visibility /limner
 delta-cost slow tables-delta-cost delta /limner arm-none-eabi-gcc qemu-system-arm
 overlay-cost slow tables-overlay-cost overlay /limner arm-none-eabi-gcc qemu-system-arm
 walk-cost slow tables-walk-cost walks /limner /scenes/demo.obj arm-none-eabi-gcc qemu-system-arm

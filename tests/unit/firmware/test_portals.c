@@ -222,6 +222,7 @@ static size_t count_seen(const struct compiled *scene, const double at_m[3], uin
     assert_true(cells_find(&scene->scene, &cells, &err));
     zones_find(&cells, &zones);
     flow_init(&flow, &cells, &zones, 1.0 / 128.0);
+    flow.work_max = pvs_usual_effort.zone_work;
     bool *visible = calloc(cells.record_count, sizeof *visible);
     assert_true(flow_see(&flow, zones.of_cell[cell_at(scene, at_m)], visible));
     for (size_t i = 0; i < scene->scene.node_count; i++) {
