@@ -192,6 +192,11 @@
 #define LIM_HAS_TEXTURE 1
 #endif
 
+/* Textures of which some texels are clear. */
+#ifndef LIM_HAS_MASKED
+#define LIM_HAS_MASKED LIM_BOTH(LIM_HAS_TEXTURE, LIM_HAS_TRANSPARENT)
+#endif
+
 /* 1: lim_set_wireframe() is there. */
 #ifndef LIM_HAS_WIREFRAME
 #define LIM_HAS_WIREFRAME 1

@@ -201,7 +201,7 @@ void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
     spans->lines = lim_mem_cut(&at, pass->target.h_px * sizeof(struct lim_line));
     if (LIM_HAS_TRANSPARENT)
         *nearest->paint.layers =
-            (struct lim_layers){lim_mem_cut(&at, LIM_LAYERS_MEM_B(*shares.layers)), *shares.layers, 0, false};
+            (struct lim_layers){.pool = lim_mem_cut(&at, LIM_LAYERS_MEM_B(*shares.layers)), .size = *shares.layers};
     if (LIM_HAS_MESH_LEAVES && !is_sorted)
         lim_mesh_leaf_lend(*nearest->leaf, lim_mem_cut(&at, lim_mesh_leaf_mem_b(&pass->scene->limits)),
                            &pass->scene->limits);

@@ -73,6 +73,7 @@ void lim_texture_set_level(const struct lim_scene *scene, uint8_t number, struct
     lim_texels_take_level(scene, gradients->texture, number, level);
     level->number = number;
     gradients->paint = LIM_OPTIMISE_SIZE ? lim_texels_paint_any : lim_texels_painters[level->w_bits];
+    if (LIM_HAS_MASKED && lim_texture_is_masked(gradients->texture)) gradients->paint = lim_texels_paint_masked;
 }
 
 /* The least depth whose log2 is that, as lim_texture_level_q4() has it. */

@@ -41,6 +41,11 @@ static uint32_t lit(uint32_t colour, uint32_t light)
     return out;
 }
 
+bool texture_is_masked(const struct mesh *mesh, const struct mesh_polygon *polygon)
+{
+    return polygon->mapping && mesh->textures[mesh->mappings[polygon->mapping].texture].is_masked;
+}
+
 uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon)
 {
     return lit(mesh->textures[mesh->mappings[polygon->mapping].texture].mean, polygon->colour);
@@ -112,7 +117,9 @@ static void look_add(struct texture_encoder *encoder, const struct mesh_polygon 
                              .w_bits = texture->w_bits,
                              .h_bits = texture->h_bits,
                              .levels = texture->levels,
-                             .place_bits = encoder->place_bits ? encoder->place_bits[number] : 0};
+                             .place_bits = encoder->place_bits  ? encoder->place_bits[number]
+                                           : texture->is_masked ? (uint8_t)LIM_TEXTURE_MASKED
+                                                                : 0};
 }
 
 /* Mappings ----------------------------------------------------------------------------------- */

@@ -22,7 +22,8 @@ static uint32_t times(uint32_t colour, uint32_t light)
     return out;
 }
 
-static uint32_t add_picture(struct level_faces *faces, const struct level_look *look)
+/* Where it is not masked, what is clear in it has the mean colour. */
+static uint32_t add_picture(struct level_faces *faces, const struct level_look *look, bool is_masked)
 {
     struct model *model = faces->model;
     const size_t count = (size_t)look->w_px * look->h_px;
@@ -33,7 +34,9 @@ static uint32_t add_picture(struct level_faces *faces, const struct level_look *
     picture->found_w_px = picture->w_px = look->w_px;
     picture->found_h_px = picture->h_px = look->h_px;
     picture->pixels = grow_zeroed(count, sizeof *picture->pixels);
-    memcpy(picture->pixels, look->pixels, count * sizeof *picture->pixels);
+    picture->is_masked = is_masked;
+    for (size_t i = 0; i < count; i++)
+        picture->pixels[i] = is_masked ? look->pixels[i] : look->pixels[i] & ~PICTURE_CLEAR;
     return (uint32_t)model->picture_count;
 }
 
@@ -41,15 +44,16 @@ static uint32_t add_picture(struct level_faces *faces, const struct level_look *
 static uint32_t picture_of(struct level_faces *faces, const struct level_paint *paint)
 {
     const struct level_look *look = &faces->textures->looks[paint->look];
-    if (!faces->is_textured || paint->is_plain || paint->transparency || !look->is_known || look->is_one_colour)
-        return 0;
-    while (faces->look_capacity <= paint->look) {
+    const bool is_masked = paint->transparency > 0;
+    const size_t index = 2 * paint->look + is_masked;
+    if (!faces->is_textured || paint->is_plain || !look->is_known || look->is_one_colour) return 0;
+    while (faces->look_capacity <= index) {
         const size_t before = faces->look_capacity;
         faces->pictures = grow(faces->pictures, before, &faces->look_capacity, sizeof *faces->pictures);
         memset(faces->pictures + before, 0, (faces->look_capacity - before) * sizeof *faces->pictures);
     }
-    uint32_t *picture = &faces->pictures[paint->look];
-    if (!*picture) *picture = add_picture(faces, look);
+    uint32_t *picture = &faces->pictures[index];
+    if (!*picture) *picture = add_picture(faces, look, is_masked);
     faces->model->pictures[*picture - 1].faces++;
     return *picture;
 }

@@ -14,6 +14,7 @@
 #include "readers/float_step.h"
 #include "readers/import_motion.h"
 #include "readers/inputs.h"
+#include "readers/masked_picture.h"
 #include "readers/model_io.h"
 #include "readers/model_whole.h"
 #include "readers/picture.h"
@@ -37,6 +38,7 @@ struct import {
     struct node_transform transform; /* of the node being read */
     struct model_paint paint;        /* of the mesh being read */
     uint32_t picture, mask;          /* the same; 0: none */
+    struct masked_pictures masked;
     unsigned uv_set;
     size_t picture_capacity, point_total;
     const struct aiNode **movers; /* the nodes of model->movers */
@@ -173,7 +175,10 @@ static bool set_transparency(struct import *import, double opacity)
                          model->face_count);
     const double clamped = fmin(fmax(opacity, 0), 1);
     model->alpha_clamped += clamped != opacity;
-    model->faces[model->face_count - 1].transparency = (uint8_t)(255 * (1 - clamped) + 0.5);
+    struct model_face *face = &model->faces[model->face_count - 1];
+    face->transparency = (uint8_t)(255 * (1 - clamped) + 0.5);
+    if (!face->transparency && import->picture && model->pictures[import->picture - 1].is_masked)
+        face->transparency = picture_transparency(&model->pictures[import->picture - 1]);
     return true;
 }
 
@@ -188,6 +193,24 @@ static uint32_t picture_number(struct import *import, const char *name)
     return (uint32_t)++model->picture_count;
 }
 
+/* The picture becomes one with holes, which has a number of its own: others may show it whole. */
+static void take_mask(struct import *import)
+{
+    struct model *model = import->model;
+    const struct mask_of of = {import->picture, import->mask, import->paint.least_alpha};
+    if (!import->picture || !import->mask || !(of.least_alpha > 0)) return;
+    uint32_t number = masked_picture_find(&import->masked, &of);
+    if (!number) {
+        model->pictures =
+            grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
+        number = masked_picture_make(&import->masked, &of, model->pictures, (uint32_t)model->picture_count);
+        model->picture_count += number > model->picture_count;
+    }
+    if (number == import->picture) return;
+    import->picture = number;
+    import->mask = 0;
+}
+
 static void find_pictures(struct import *import, const struct aiMesh *mesh)
 {
     struct aiString name;
@@ -199,6 +222,7 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
     if (!import->mask && import->picture && import->paint.textures_blend &&
         import->model->pictures[import->picture - 1].has_alpha)
         import->mask = import->picture;
+    take_mask(import);
 }
 
 /* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
@@ -348,6 +372,7 @@ bool import_model(const char *path, struct model *model, struct error *err)
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) float_step_note(model, import.step_m);
     free(import.movers);
+    masked_pictures_free(&import.masked);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);
     vertex_numbers_free(&import.numbers);
