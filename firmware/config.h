@@ -197,6 +197,11 @@
 #define LIM_HAS_MASKED LIM_BOTH(LIM_HAS_TEXTURE, LIM_HAS_TRANSPARENT)
 #endif
 
+/* Textures that are a sky around the eye. */
+#ifndef LIM_HAS_SKY
+#define LIM_HAS_SKY LIM_HAS_TEXTURE
+#endif
+
 /* 1: lim_set_wireframe() is there. */
 #ifndef LIM_HAS_WIREFRAME
 #define LIM_HAS_WIREFRAME 1

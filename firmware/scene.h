@@ -174,16 +174,26 @@ struct lim_texture {
     uint16_t palette;                 /* where its colours begin in lim_scene.palettes */
     uint8_t w_bits, h_bits;
     uint8_t levels;     /* 1..h_bits + 1 */
-    uint8_t place_bits; /* of a mesh: of struct lim_uv, 0..15; else 0 or LIM_TEXTURE_MASKED */
+    uint8_t place_bits; /* of a mesh: of struct lim_uv, 0..15; else 0, LIM_TEXTURE_MASKED or LIM_TEXTURE_SKY */
 };
 enum { LIM_TEXEL_BLOCK = 16 };
 
 /* Texels 0 are clear. Records with an alpha have such textures, and no others. */
 #define LIM_TEXTURE_MASKED 0x80u
 
+/* It is seen on a cylinder around the eye, wherever its polygons are. Of a record's mapping are asked how often it goes
+ * round, uv[0][0], 1..16, and at_zero_q16[1], how far from its top the horizon is, in 2^-15 of its width. Colours 0 and
+ * 1 of its palette are what is seen above and below it. */
+#define LIM_TEXTURE_SKY 0x40u
+
 static inline bool lim_texture_is_masked(const LIM_FLASH struct lim_texture *texture)
 {
     return LIM_HAS_MASKED && texture->place_bits & LIM_TEXTURE_MASKED;
+}
+
+static inline bool lim_texture_is_sky(const LIM_FLASH struct lim_texture *texture)
+{
+    return LIM_HAS_SKY && texture->place_bits & LIM_TEXTURE_SKY;
 }
 
 /* All of its sizes, as a number to compare; at least one is not 0. */

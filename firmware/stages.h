@@ -281,6 +281,7 @@ struct lim_pass {
     LIM_OPTIONAL(struct lim_walk, walk, LIM_HAS_TREE);
     LIM_OPTIONAL(struct lim_eye, eye, LIM_HAS_PLANES && !LIM_HAS_TREE);
     LIM_OPTIONAL(struct lim_texturing, texturing, LIM_HAS_TEXTURE);
+    LIM_OPTIONAL(struct lim_sky, sky, LIM_HAS_SKY);
     LIM_OPTIONAL(struct lim_wireframe, wireframe, LIM_HAS_WIREFRAME);
     LIM_OPTIONAL(const struct lim_overlay *, overlay, LIM_HAS_OVERLAY); /* the caller's, or NULL */
     LIM_OPTIONAL(struct lim_stats, stats, LIM_HAS_STATS);

@@ -17,6 +17,7 @@
 #define LIM_TEXTURE_H
 
 #include "camera.h"
+#include "pixels/sky.h"
 #include "pixels/texels.h"
 #include "pixels/texture_planes.h"
 
@@ -78,6 +79,10 @@ static inline void lim_texture_fill(const struct lim_textured_span *span, uint16
     const struct lim_gradients *const gradients = span->gradients;
 
     if (gradients->is_even) {
+        if (LIM_HAS_SKY && lim_texture_is_sky(gradients->texture)) {
+            lim_sky_fill(span, pixels, x0, x1);
+            return;
+        }
         gradients->paint(pixels + x1, (uint_fast16_t)(x1 - x0),
                          lim_texture_even_place(&gradients->even, gradients->level.step, x0, span->y),
                          &gradients->level);

@@ -60,7 +60,7 @@ static void add_rectangle(const struct wall *wall, int low, int high, double han
 
 static void add_sky(const struct wall *wall, int low, int high)
 {
-    add_rectangle(wall, low, high, high, &(struct level_paint){wall->sky, true, 0xFFFFFF, OPAQUE});
+    add_rectangle(wall, low, high, high, &(struct level_paint){.look = wall->sky, .is_sky = true, .light = 0xFFFFFF});
 }
 
 /* Without a texture Doom shows what is behind, which is mostly the floor or ceiling there: its colour stands for it. */
@@ -71,7 +71,8 @@ static void add_plain(const struct wall *wall, int low, int high, const char *fl
         return;
     }
     const size_t look = level_look(wall->faces->textures, LOOK_FLAT, flat);
-    add_rectangle(wall, low, high, high, &(struct level_paint){look, true, light_of(wall), OPAQUE});
+    add_rectangle(wall, low, high, high,
+                  &(struct level_paint){.look = look, .is_plain = true, .light = light_of(wall)});
 }
 
 static void add_part(const struct wall *wall, int low, int high, double hangs, const char *name, const char *flat)
@@ -82,7 +83,7 @@ static void add_part(const struct wall *wall, int low, int high, double hangs, c
         return;
     }
     const size_t look = level_look(wall->faces->textures, LOOK_WALL, name);
-    add_rectangle(wall, low, high, hangs, &(struct level_paint){look, false, light_of(wall), OPAQUE});
+    add_rectangle(wall, low, high, hangs, &(struct level_paint){.look = look, .light = light_of(wall)});
 }
 
 static double height_of(const struct wall *wall, size_t look)
@@ -146,7 +147,7 @@ static void add_masked(const struct wall *wall)
     const int hangs = (wall->line->flags & LINE_LOWER_UNPEGGED ? floor + height : ceiling) + wall->side->y_offset;
     const uint8_t transparency = masked_transparency(wall->faces, found);
     if (!found->is_known || transparency == INVISIBLE) return;
-    const struct level_paint paint = {look, false, light_of(wall), transparency};
+    const struct level_paint paint = {.look = look, .light = light_of(wall), .transparency = transparency};
     add_rectangle(wall, higher_of(floor, hangs - height), lower_of(ceiling, hangs), hangs - wall->side->y_offset,
                   &paint);
 }

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { SKY_LEAST_BITS = 8, SKY_ENDS = 16 }; /* a sky's ends are the mean of a 16th of its rows */
 enum { MASKED_LAST_BITS = 2 }; /* the shorter side of a masked texture's last level, where it is longer at all */
 
 /* Level k lies below the ones before it, at the left. */
@@ -200,37 +201,68 @@ static uint32_t mean_colour(const struct atlas *atlas)
     return mean;
 }
 
-static uint8_t texel_of(const struct atlas *atlas, int x, int y)
+static uint32_t mean_of_rows(const struct atlas *atlas, int from, int end)
 {
-    const uint8_t index = atlas->image->pixels[y][x];
-    if (!atlas->opacity) return index;
-    return *opacity_at(atlas, x, y) > 0 ? (uint8_t)(index + 1) : 0;
+    uint32_t mean = 0;
+    for (int shift = 16; shift >= 0; shift -= 8) {
+        double sum = 0;
+        for (int y = from; y < end; y++)
+            for (int x = 0; x < atlas->w_px; x++)
+                sum += atlas->image->tpixels[y][x] >> shift & 0xFF;
+        mean |= (uint32_t)(sum / atlas->w_px / (end - from) + 0.5) << shift;
+    }
+    return mean;
+}
+
+/* Those at the beginning of a palette that no texel of the picture has: of what is clear, or beyond a sky. */
+static int own_colours(const struct texture *texture)
+{
+    return texture->sky.times ? 2 : texture->is_masked;
+}
+
+static void set_own_colours(const struct atlas *atlas, struct texture *out)
+{
+    const int rows = atlas->h_px > SKY_ENDS ? atlas->h_px / SKY_ENDS : 1;
+    out->palette[0] = out->sky.times ? mean_of_rows(atlas, 0, rows) : out->mean;
+    if (out->sky.times) out->palette[1] = mean_of_rows(atlas, atlas->h_px - rows, atlas->h_px);
+}
+
+static uint8_t texel_of(const struct atlas *atlas, int x, int y, int first)
+{
+    if (atlas->opacity && *opacity_at(atlas, x, y) <= 0) return 0;
+    return (uint8_t)(atlas->image->pixels[y][x] + first);
 }
 
 static void copy_texels(const struct atlas *atlas, struct texture *out)
 {
     uint8_t *to = out->texels;
-    const uint32_t first = atlas->opacity ? 1 : 0; /* index 0 is what is clear */
+    const int first = own_colours(out);
     for (int level = 0; level < atlas->levels; level++)
         for (int y = 0; y < atlas->h_px >> level; y++)
             for (int x = 0; x < atlas->w_px >> level; x++)
-                *to++ = texel_of(atlas, x, level_y(atlas, level) + y);
-    out->colours = (uint32_t)gdImageColorsTotal(atlas->image) + first;
-    out->palette[0] = out->mean;
+                *to++ = texel_of(atlas, x, level_y(atlas, level) + y, first);
+    out->colours = (uint32_t)(gdImageColorsTotal(atlas->image) + first);
     for (int i = 0; i < gdImageColorsTotal(atlas->image); i++)
-        out->palette[(uint32_t)i + first] = (uint32_t)gdImageRed(atlas->image, i) << 16 |
-                                            (uint32_t)gdImageGreen(atlas->image, i) << 8 |
-                                            (uint32_t)gdImageBlue(atlas->image, i);
+        out->palette[i + first] = (uint32_t)gdImageRed(atlas->image, i) << 16 |
+                                  (uint32_t)gdImageGreen(atlas->image, i) << 8 | (uint32_t)gdImageBlue(atlas->image, i);
+}
+
+void texture_bits_of(const struct picture *picture, uint8_t most_bits, uint8_t *w_bits, uint8_t *h_bits)
+{
+    if (picture->sky.times && most_bits < SKY_LEAST_BITS) most_bits = SKY_LEAST_BITS;
+    *w_bits = texture_side_bits(picture->w_px, most_bits);
+    *h_bits = texture_side_bits(picture->h_px, picture->sky.times ? *w_bits : most_bits);
 }
 
 bool texture_make(const struct picture *picture, uint8_t most_bits, struct texture *out)
 {
-    const uint8_t w_bits = texture_side_bits(picture->w_px, most_bits);
-    const uint8_t h_bits = texture_side_bits(picture->h_px, most_bits);
+    uint8_t w_bits, h_bits;
+    texture_bits_of(picture, most_bits, &w_bits, &h_bits);
     *out = (struct texture){.w_bits = w_bits > h_bits ? w_bits : h_bits,
                             .h_bits = w_bits > h_bits ? h_bits : w_bits,
                             .transposed = h_bits > w_bits,
-                            .is_masked = picture->is_masked};
+                            .is_masked = picture->is_masked,
+                            .sky = picture->sky};
     out->levels = texture_levels(out->w_bits, out->h_bits);
     if (out->is_masked) out->levels = out->levels > MASKED_LAST_BITS ? (uint8_t)(out->levels - MASKED_LAST_BITS) : 1;
     out->texel_count = texture_texels(out->w_bits, out->h_bits);
@@ -240,7 +272,8 @@ bool texture_make(const struct picture *picture, uint8_t most_bits, struct textu
     if (ok) {
         out->mean = mean_colour(&atlas);
         if (out->is_masked) ok = mask_levels(&atlas, picture_clear_share(picture), out->mean);
-        ok = ok && gdImageTrueColorToPalette(atlas.image, 0, TEXTURE_COLOURS - (out->is_masked ? 1 : 0)) &&
+        set_own_colours(&atlas, out);
+        ok = ok && gdImageTrueColorToPalette(atlas.image, 0, TEXTURE_COLOURS - own_colours(out)) &&
              !gdImageTrueColor(atlas.image);
     }
     if (ok) copy_texels(&atlas, out);
