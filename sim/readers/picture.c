@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <gd.h>
 #include <gd_errors.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +21,11 @@ enum { LARGEST_FILE_B = 64 << 20 };
 /* libgd's messages: of a truncated JPEG it makes a picture that is grey below, and says no more than that. */
 static bool is_truncated;
 
-static bool leaves_out; /* --no-textures */
+static bool leaves_out;      /* --no-textures */
+static const char *sky_name; /* --sky, or NULL */
+
+enum { SKY_COLUMNS = 1024 };
+static const double SKY_HORIZON = 25.0 / 32; /* 100 of 128 rows: Doom's */
 
 static void take_message(int priority, const char *format, va_list arguments)
 {
@@ -232,6 +237,31 @@ void pictures_leave_out(void)
 bool pictures_are_left_out(void)
 {
     return leaves_out;
+}
+
+void pictures_set_sky(const char *material)
+{
+    sky_name = material;
+}
+
+const char *pictures_sky(void)
+{
+    return sky_name;
+}
+
+bool picture_copy_as_sky(const struct picture *from, struct picture *out)
+{
+    const size_t count = (size_t)from->w_px * from->h_px;
+    if (!from->pixels) return false;
+    *out = *from;
+    out->faces = out->clear_faces = 0;
+    out->alpha = NULL;
+    out->pixels = malloc(count * sizeof *out->pixels);
+    if (!out->pixels) return false;
+    memcpy(out->pixels, from->pixels, count * sizeof *out->pixels);
+    const double times = floor((double)SKY_COLUMNS / from->w_px + 0.5);
+    out->sky = (struct sky_look){(unsigned)fmin(fmax(times, 1), SKY_TIMES_MAX), SKY_HORIZON};
+    return true;
 }
 
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out)

@@ -207,6 +207,20 @@ sed 's/"MASK"/"OPAQUE"/' holes.gltf >opaque.gltf
 tap_check 'OPAQUE has no holes' says_nothing opaque.gltf
 tap_check 'a mesh draws none, and says so' sh -c "! '$limner' compile holes.obj --method mesh -o never 2>said && grep 'transparent faces are not drawn' said"
 tap_check 'without textures no holes are linked' is_a_pane holes.obj
+sky_is_drawn() { # of a square's picture where it stands, and endlessly far away: the same from two places, but for its edges
+    printf '0 0 1 0 0 -1\n0.4 0.2 1 0.4 0.2 -1\n' >two.cam
+    sed -e 's/^v 0 0 0/v -9 -9 0/;s/^v 1 0 0/v 9 -9 0/;s/^v 1 1 0/v 9 9 0/;s/^v 0 1 0/v -9 9 0/' quarters.obj >wide.obj
+    hashes sky.hashes wide.obj two.cam --sky quarters --size 64x64 &&
+        hashes wall.hashes wide.obj two.cam --size 64x64 || return 1
+    cat sky.hashes wall.hashes
+    [ "$(cut -d ' ' -f 2 sky.hashes | sort -u | wc -l)" = 1 ] && [ "$(cut -d ' ' -f 2 wall.hashes | sort -u | wc -l)" = 2 ] &&
+        "$limner" compile wide.obj --sky=quarters -o sky >report && grep -q 'LIM_HAS_SKY 1' sky.h &&
+        hashes file.hashes sky.lim two.cam --size 64x64 && cmp sky.hashes file.hashes &&
+        "$limner" compile wide.obj -o sky >report && grep -q 'LIM_HAS_SKY 0' sky.h
+}
+tap_check 'faces of the material that --sky names are a sky' sky_is_drawn
+tap_check 'a sky that no material is, is told' sh -c "'$limner' compile quarters.obj --sky heaven -o none 2>&1 | grep 'quarters.obj: --sky: no material of that name has a picture'"
+tap_check 'a mesh draws none, and says so' sh -c "! '$limner' compile wide.obj --sky quarters --method mesh -o never 2>said && grep 'no sky is drawn' said"
 sed 's/^vt 1 0/vt 1e20 0/' quarters.obj >far.obj
 tap_check 'coordinates out of all range leave a flat face' is_flat far.obj
 grep -v '^vt' quarters.obj | sed 's,/[0-9],,g' >bare.obj
