@@ -12,7 +12,7 @@
 
 /* The form of a scene's NAME.c and NAME.h, which say for which one they were written. It changes whenever files that
  * were written before would compile to something wrong. */
-#define LIM_SCENE_FORMAT 10
+#define LIM_SCENE_FORMAT 11
 
 /* An index into a scene's arrays, and a word of its polygons. Wide scenes have more than 16 bits can count. */
 #if LIM_HAS_WIDE

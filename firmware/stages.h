@@ -465,20 +465,6 @@ struct lim_actives {
     struct lim_active *first, *free; /* lists through `next`: what crosses the line, and what was given back */
 };
 
-/* A piece with a masked texture: its polygon's mapping, or NULL of a colour, and all of that on the line. */
-struct lim_masked {
-    struct lim_gradients *gradients;
-    int16_t left, right;
-};
-
-/* A piece of a line that waits for what lies behind it. */
-struct lim_layer {
-    uint16_t x0, x1; /* x0 <= x < x1 */
-    uint16_t colour; /* as it lies in memory */
-    uint8_t alpha;   /* of a masked texture, how many samples of each pixel its polygon has, as a part of 255 */
-    LIM_OPTIONAL(struct lim_masked, masked, LIM_HAS_MASKED);
-};
-
 struct lim_layers {
     struct lim_layer *pool;
     uint16_t size, used;

@@ -114,4 +114,29 @@ struct lim_gradients {
     };
 };
 
+/* A line of a textured polygon: pixels left <= x < right, before anything is cut off. */
+struct lim_textured_span {
+    const struct lim_texturing *texturing;
+    struct lim_gradients *gradients;
+    int16_t y, left, right;
+};
+
+/* A piece with a masked texture: its polygon's mapping, or NULL of a colour, and all of that on the line. */
+struct lim_masked {
+    struct lim_gradients *gradients;
+    int16_t left, right;
+};
+
+LIM_OPTIONAL_BEGIN
+
+/* A piece of a line that waits for what lies behind it. */
+struct lim_layer {
+    uint16_t x0, x1; /* x0 <= x < x1 */
+    uint16_t colour; /* as it lies in memory */
+    uint8_t alpha;   /* of a masked texture, how many samples of each pixel its polygon has, as a part of 255 */
+    LIM_OPTIONAL(struct lim_masked, masked, LIM_HAS_MASKED);
+};
+
+LIM_OPTIONAL_END
+
 #endif

@@ -7,7 +7,7 @@
 #include "math/fixed.h"
 #include "math/orientation.h"
 #include "pixels/fill.h"
-#include "pixels/texture.h"
+#include "pixels/texture_planes.h"
 
 #if LIM_HAS_SKY
 
@@ -22,7 +22,7 @@ static const uint32_t ACROSS_MOST_Q28 = 42949673, DOWN_MOST_Q28 = 21474836;
 /* Once a frame ------------------------------------------------------------------------------------- */
 
 /* log2 of pixels from node to node: as many as the angle allows, and more where there would be too many nodes. */
-static uint8_t node_bits(uint32_t half_px_q28, uint16_t side_px, uint32_t most_q28, uint16_t most_nodes)
+static uint8_t sky_node_bits(uint32_t half_px_q28, uint16_t side_px, uint32_t most_q28, uint16_t most_nodes)
 {
     uint8_t bits = 0;
 
@@ -37,8 +37,8 @@ void lim_sky_begin(struct lim_sky *sky, const struct lim_camera *camera, uint16_
     int32_t axes_q30[9];
 
     lim_orientation_set(axes_q30, camera);
-    sky->across_bits = node_bits(half_w_q28, w_px, ACROSS_MOST_Q28, LIM_SKY_NODES);
-    sky->down_bits = node_bits(half_h_q28, h_px, DOWN_MOST_Q28, UINT16_MAX);
+    sky->across_bits = sky_node_bits(half_w_q28, w_px, ACROSS_MOST_Q28, LIM_SKY_NODES);
+    sky->down_bits = sky_node_bits(half_h_q28, h_px, DOWN_MOST_Q28, UINT16_MAX);
     sky->pixel_q16 = half_w_q28 >> 11;
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t right_q26 = mul_high_s32(axes_q30[i], (int32_t)half_w_q28),
@@ -53,14 +53,14 @@ void lim_sky_begin(struct lim_sky *sky, const struct lim_camera *camera, uint16_
 
 /* Nodes -------------------------------------------------------------------------------------------- */
 
-/* A polynomial of the third degree in s, all in 2^-15. */
-static inline int32_t polynomial(int32_t s, int32_t a, int32_t b, int32_t c, int32_t d)
+/* A sky_polynomial of the third degree in s, all in 2^-15. */
+static inline int32_t sky_polynomial(int32_t s, int32_t a, int32_t b, int32_t c, int32_t d)
 {
     return a + (s * (b + (s * (c + (s * d >> 15)) >> 15)) >> 15);
 }
 
 /* Of the upper half of x << zeros, with the reciprocal of the larger side: a quotient in 2^-15. */
-static inline int32_t quotient_q15(uint32_t x, uint8_t zeros, uint32_t recip_q24)
+static inline int32_t sky_quotient_q15(uint32_t x, uint8_t zeros, uint32_t recip_q24)
 {
     return (int32_t)(((x << zeros) >> 16) * (recip_q24 >> 9) >> 15);
 }
@@ -74,21 +74,21 @@ static void sky_look(const int32_t way[3], struct lim_sky_node *node)
     const uint32_t larger = (x > z ? x : z) | 1, smaller = x > z ? z : x;
     uint8_t zeros;
     const uint32_t recip = recip_q24(larger, &zeros);
-    const int32_t t = quotient_q15(smaller > larger ? larger : smaller, zeros, recip), s = t * t >> 15;
-    uint32_t turn = (uint32_t)(t * polynomial(s, 32760, -10657, 5049, -1421) >> 15) * TURN_OF_Q15;
+    const int32_t t = sky_quotient_q15(smaller > larger ? larger : smaller, zeros, recip), s = t * t >> 15;
+    uint32_t turn = (uint32_t)(t * sky_polynomial(s, 32760, -10657, 5049, -1421) >> 15) * TURN_OF_Q15;
     int32_t slope_q12 = 32768; /* of y, to the larger side: 8 at most */
 
     if (z > x) turn = 0x40000000u - turn;
     if (way[0] < 0) turn = 0x80000000u - turn;
     if (way[2] < 0) turn = 0u - turn;
-    if (y >> SLOPE_BITS < larger) slope_q12 = quotient_q15(y >> SLOPE_BITS, zeros, recip);
-    slope_q12 = slope_q12 * polynomial(s, 32750, -15798, 8923, -2714) >> 15;
+    if (y >> SLOPE_BITS < larger) slope_q12 = sky_quotient_q15(y >> SLOPE_BITS, zeros, recip);
+    slope_q12 = slope_q12 * sky_polynomial(s, 32750, -15798, 8923, -2714) >> 15;
     const int32_t rise_q16 = (int32_t)((uint32_t)slope_q12 * RISE_OF_Q15 >> 15);
     node->turn = turn;
     node->rise_q16 = way[1] < 0 ? -rise_q16 : rise_q16;
 }
 
-static void set_node(const struct lim_sky *sky, struct lim_sky_row *row, uint_fast8_t k)
+static void set_sky_node(const struct lim_sky *sky, struct lim_sky_row *row, uint_fast8_t k)
 {
     int32_t way[3];
 
@@ -98,7 +98,7 @@ static void set_node(const struct lim_sky *sky, struct lim_sky_row *row, uint_fa
 }
 
 /* Nodes from <= k < end of a row, and all between these and others of it. */
-static const struct lim_sky_node *row_of(struct lim_sky *sky, int16_t number, uint_fast8_t from, uint_fast8_t end)
+static const struct lim_sky_node *sky_row_of(struct lim_sky *sky, int16_t number, uint_fast8_t from, uint_fast8_t end)
 {
     struct lim_sky_row *const row = &sky->rows[number & 1];
 
@@ -107,9 +107,9 @@ static const struct lim_sky_node *row_of(struct lim_sky *sky, int16_t number, ui
         row->from = row->end = (uint8_t)from;
     }
     while (row->from > from)
-        set_node(sky, row, --row->from);
+        set_sky_node(sky, row, --row->from);
     for (; row->end < end; row->end++)
-        set_node(sky, row, row->end);
+        set_sky_node(sky, row, row->end);
     return row->nodes;
 }
 
@@ -144,12 +144,12 @@ struct sky_line {
 };
 
 /* -1: above the picture, 1: below it. */
-static inline int_fast8_t beside(const struct sky_line *line, int32_t v_q16)
+static inline int_fast8_t sky_beside(const struct sky_line *line, int32_t v_q16)
 {
     return v_q16 < 0 ? -1 : (uint32_t)v_q16 >= line->h_q16;
 }
 
-static inline void paint_texels(const struct sky_line *line, int32_t from, int32_t x, int32_t end)
+static inline void sky_paint_texels(const struct sky_line *line, int32_t from, int32_t x, int32_t end)
 {
     line->gradients->level.step = line->step;
     line->gradients->paint(line->pixels + end, (uint_fast16_t)(end - x),
@@ -157,38 +157,38 @@ static inline void paint_texels(const struct sky_line *line, int32_t from, int32
 }
 
 /* Pixels x to the one before `end`, in runs that lie on one side of the picture's ends. `from`: where the line is. */
-static LIM_RARE void paint_across_end(const struct sky_line *line, int32_t from, int32_t x, int32_t end)
+static LIM_RARE void sky_paint_across_end(const struct sky_line *line, int32_t from, int32_t x, int32_t end)
 {
     const LIM_FLASH uint16_t *const colours = line->gradients->level.palette;
 
     while (x < end) {
         const int32_t first = x;
-        const int_fast8_t side = beside(line, line->v_q16 + line->v_step_q16 * (x - from));
+        const int_fast8_t side = sky_beside(line, line->v_q16 + line->v_step_q16 * (x - from));
         do
             x++;
-        while (x < end && beside(line, line->v_q16 + line->v_step_q16 * (x - from)) == side);
+        while (x < end && sky_beside(line, line->v_q16 + line->v_step_q16 * (x - from)) == side);
         if (side)
             lim_fill(line->pixels, (uint16_t)first, (uint16_t)(x - first), colours[side > 0]);
         else
-            paint_texels(line, from, first, x);
+            sky_paint_texels(line, from, first, x);
     }
 }
 
-static inline void paint_between(const struct sky_line *line, int32_t from, int32_t x, int32_t end)
+static inline void sky_paint_between(const struct sky_line *line, int32_t from, int32_t x, int32_t end)
 {
-    const int_fast8_t side = beside(line, line->v_q16 + line->v_step_q16 * (x - from));
+    const int_fast8_t side = sky_beside(line, line->v_q16 + line->v_step_q16 * (x - from));
 
-    if (side != beside(line, line->v_q16 + line->v_step_q16 * (end - 1 - from)))
-        paint_across_end(line, from, x, end);
+    if (side != sky_beside(line, line->v_q16 + line->v_step_q16 * (end - 1 - from)))
+        sky_paint_across_end(line, from, x, end);
     else if (side)
         lim_fill(line->pixels, (uint16_t)x, (uint16_t)(end - x), line->gradients->level.palette[side > 0]);
     else
-        paint_texels(line, from, x, end);
+        sky_paint_texels(line, from, x, end);
 }
 
 /* Between a node and the one below it. */
-static inline struct lim_sky_node between_rows(const struct lim_sky_node *upper, const struct lim_sky_node *lower,
-                                               int32_t part, uint_fast8_t bits)
+static inline struct lim_sky_node sky_between_rows(const struct lim_sky_node *upper, const struct lim_sky_node *lower,
+                                                   int32_t part, uint_fast8_t bits)
 {
     return (struct lim_sky_node){upper->turn + (uint32_t)(((int32_t)(lower->turn - upper->turn) >> bits) * part),
                                  upper->rise_q16 + ((lower->rise_q16 - upper->rise_q16) * part >> bits)};
@@ -203,22 +203,22 @@ void lim_sky_fill(const struct lim_textured_span *span, uint16_t *pixels, int32_
     const uint_fast8_t first = (uint_fast8_t)(x0 >> bits), end = (uint_fast8_t)(((x1 - 1) >> bits) + 2);
     const int16_t number = (int16_t)(span->y >> down_bits);
     const int32_t part = span->y - (number << down_bits);
-    const struct lim_sky_node *upper = row_of(sky, number, first, end) + first,
-                              *lower = row_of(sky, (int16_t)(number + 1), first, end) + first;
-    struct lim_sky_node left = between_rows(upper, lower, part, down_bits);
+    const struct lim_sky_node *upper = sky_row_of(sky, number, first, end) + first,
+                              *lower = sky_row_of(sky, (int16_t)(number + 1), first, end) + first;
+    struct lim_sky_node left = sky_between_rows(upper, lower, part, down_bits);
     struct sky_line line = {.gradients = span->gradients,
                             .pixels = pixels,
                             .h_q16 = UINT32_C(65536) >> (texture->w_bits - texture->h_bits)};
 
     for (int32_t from = (int32_t)first << bits; from < x1; from += INT32_C(1) << bits) {
-        const struct lim_sky_node right = between_rows(++upper, ++lower, part, down_bits);
+        const struct lim_sky_node right = sky_between_rows(++upper, ++lower, part, down_bits);
         const int32_t u_step = (int32_t)((right.turn - left.turn) * (uint32_t)look.times) >> (16 + bits);
         const int32_t until = from + (INT32_C(1) << bits);
         line.v_q16 = look.horizon_q16 - left.rise_q16 * look.times;
         line.v_step_q16 = (left.rise_q16 - right.rise_q16) * look.times >> bits;
         line.step = lim_texture_packed((uint32_t)u_step, (uint32_t)line.v_step_q16);
         line.place = ((left.turn * (uint32_t)look.times) & 0xFFFF0000u) + (uint16_t)line.v_q16;
-        paint_between(&line, from, from < x0 ? x0 : from, until < x1 ? until : x1);
+        sky_paint_between(&line, from, from < x0 ? x0 : from, until < x1 ? until : x1);
         left = right;
     }
 }

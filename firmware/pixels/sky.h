@@ -13,8 +13,6 @@
 #include "scene.h"
 #include "stages.h"
 
-struct lim_textured_span;
-
 /* Once a frame, on a screen of this size. */
 void lim_sky_begin(struct lim_sky *sky, const struct lim_camera *camera, uint16_t w_px, uint16_t h_px);
 

@@ -114,9 +114,6 @@ static LIM_INLINE void lim_texels_paint_sized(uint16_t *end, uint_fast16_t n, ui
 extern lim_texels_painter *const LIM_FLASH lim_texels_painters[11];
 lim_texels_painter lim_texels_paint_any;
 
-/* Of any width, and what is clear is left out. */
-lim_texels_painter lim_texels_paint_masked;
-
 /* A level of a texture, but for its step and number. */
 static LIM_INLINE void lim_texels_take_level(const struct lim_scene *scene, const LIM_FLASH struct lim_texture *texture,
                                              uint_fast8_t number, struct lim_texture_level *level)

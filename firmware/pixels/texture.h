@@ -45,13 +45,6 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
 void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out);
 
-/* A line of a textured polygon: pixels left <= x < right, before anything is cut off. */
-struct lim_textured_span {
-    const struct lim_texturing *texturing;
-    struct lim_gradients *gradients;
-    int16_t y, left, right;
-};
-
 /* The stretch of the line that pixel x is in, left <= x < right, on the screen; the next one. Stretches begin at left,
  * or the screen's side, whatever of the line is visible: all orders of drawing paint the same. */
 void lim_texture_line_begin(struct lim_texture_line *line, const struct lim_textured_span *span, int16_t x);
