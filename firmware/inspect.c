@@ -96,6 +96,7 @@ void lim_inspect_texels(struct lim *lim, lim_index record, lim_inspect_texel *ta
 
     if (!lim_project(&polygon, &pass->view, pass->scene, &pass->scene->polygons[record], &screen, NULL)) return;
     if (lim_screen_texture(&polygon) == LIM_NONE) return;
+    if (lim_texture_is_sky(&pass->scene->textures[pass->scene->polygons[lim_screen_texture(&polygon)]])) return;
     if (!polygon.shape.non_monotone) take_polygon(lim, &polygon, take, ctx);
     for (uint8_t k = 1; polygon.shape.non_monotone && k + 1 < polygon.n; k++) {
         lim_project_fan(&polygon, k, &triangle);

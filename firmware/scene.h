@@ -12,7 +12,7 @@
 
 /* The form of a scene's NAME.c and NAME.h, which say for which one they were written. It changes whenever files that
  * were written before would compile to something wrong. */
-#define LIM_SCENE_FORMAT 10
+#define LIM_SCENE_FORMAT 11
 
 /* An index into a scene's arrays, and a word of its polygons. Wide scenes have more than 16 bits can count. */
 #if LIM_HAS_WIDE
@@ -93,10 +93,12 @@ struct lim_plane_ref {
  * The records of a node's run share its plane and a facing. Those of a leaf have planes of their own, but in a mesh
  * leaf, whose order is by distance: there a record faces the side from which its corners run counter-clockwise. */
 #define LIM_POLYGON_COUNT 0x00FFu
-#define LIM_POLYGON_PLANE 0x0100u   /* its plane, a struct lim_plane_ref: two words */
-#define LIM_POLYGON_BACK 0x0200u    /* it faces the back of that plane */
-#define LIM_POLYGON_ALPHA 0x0400u   /* its alpha, a word: 1..254, of 255 */
-#define LIM_POLYGON_EDGES 0x0800u   /* an edge a bit, (n + 15) / 16 words: bit k set, and wireframe leaves edge k out */
+#define LIM_POLYGON_PLANE 0x0100u /* its plane, a struct lim_plane_ref: two words */
+#define LIM_POLYGON_BACK 0x0200u  /* it faces the back of that plane */
+#define LIM_POLYGON_ALPHA                                                                                              \
+    0x0400u                       /* its alpha, a word: 1..254, of 255; with a texture, how much of that is not clear  \
+                                   */
+#define LIM_POLYGON_EDGES 0x0800u /* an edge a bit, (n + 15) / 16 words: bit k set, and wireframe leaves edge k out */
 #define LIM_POLYGON_TEXTURE 0x1000u /* indices of its texture and of its mapping: two words, the last ones */
 #define LIM_POLYGON_MESH 0x2000u    /* the first of a mesh leaf: four words (LIM_MESH_LEAF_...), before the texture's */
 #define LIM_POLYGON_LAST 0x8000u
@@ -172,9 +174,27 @@ struct lim_texture {
     uint16_t palette;                 /* where its colours begin in lim_scene.palettes */
     uint8_t w_bits, h_bits;
     uint8_t levels;     /* 1..h_bits + 1 */
-    uint8_t place_bits; /* of a mesh: of struct lim_uv, 0..15; else 0 */
+    uint8_t place_bits; /* of a mesh: of struct lim_uv, 0..15; else 0, LIM_TEXTURE_MASKED or LIM_TEXTURE_SKY */
 };
 enum { LIM_TEXEL_BLOCK = 16 };
+
+/* Texels 0 are clear. Records with an alpha have such textures, and no others. */
+#define LIM_TEXTURE_MASKED 0x80u
+
+/* It is seen on a cylinder around the eye, wherever its polygons are. Of a record's mapping are asked how often it goes
+ * round, uv[0][0], 1..16, and at_zero_q16[1], how far from its top the horizon is, in 2^-15 of its width. Colours 0 and
+ * 1 of its palette are what is seen above and below it. */
+#define LIM_TEXTURE_SKY 0x40u
+
+static inline bool lim_texture_is_masked(const LIM_FLASH struct lim_texture *texture)
+{
+    return LIM_HAS_MASKED && texture->place_bits & LIM_TEXTURE_MASKED;
+}
+
+static inline bool lim_texture_is_sky(const LIM_FLASH struct lim_texture *texture)
+{
+    return LIM_HAS_SKY && texture->place_bits & LIM_TEXTURE_SKY;
+}
 
 /* All of its sizes, as a number to compare; at least one is not 0. */
 typedef uint32_t __attribute__((may_alias)) lim_texture_word;

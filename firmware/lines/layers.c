@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Gaps are only read here: what a transparent polygon covers stays open. */
+ * Gaps are only read here: what a transparent polygon covers stays open. A masked texture's texels are painted where a
+ * colour is blended. */
 #include "lines/layers.h"
 
 #include "pixels/blend.h"
+#include "pixels/texture.h"
 #include "screen/edge.h"
 
 #if LIM_HAS_SPANS && LIM_HAS_TRANSPARENT
@@ -78,10 +80,37 @@ void lim_layers_push(struct lim_layers *layers, const struct lim_spans *spans, c
         if (x0 < x1) {
             layers->exhausted = layers->used == layers->size;
             if (layers->exhausted) return;
-            layers->pool[layers->used++] = (struct lim_layer){x0, x1, piece->colour, piece->alpha};
+            lim_layers_put(layers, x0, x1, piece->colour, piece->alpha);
         }
         if (gap->next == LIM_NONE || gap->x1 >= piece->x1) return;
     }
+}
+
+/* A pixel of whose samples the polygon has some. */
+static LIM_IF_CALLED void mix_masked(const struct lim_textured_span *span, uint16_t *line, uint16_t x, uint8_t alpha,
+                                     struct lim_stats *stats)
+{
+    const uint16_t behind = line[x];
+
+    lim_texture_fill(span, line, x, (uint16_t)(x + 1), stats);
+    const uint16_t colour = line[x];
+    line[x] = behind;
+    lim_blend(line, x, 1, colour, alpha); /* a clear texel's is `behind` itself */
+}
+
+static LIM_IF_CALLED void fill_masked(const struct lim_layers *layers, const struct lim_layer *layer, uint16_t *line,
+                                      struct lim_stats *stats)
+{
+    const struct lim_masked *const masked = layer->masked;
+    const struct lim_textured_span span = {*layers->texturing, masked->gradients, *layers->y, masked->left,
+                                           masked->right};
+
+    if (!LIM_HAS_ANTIALIAS || layer->alpha == LIM_OPAQUE) {
+        lim_texture_fill(&span, line, layer->x0, layer->x1, stats);
+        return;
+    }
+    for (uint16_t x = layer->x0; x < layer->x1; x++)
+        mix_masked(&span, line, x, layer->alpha, stats);
 }
 
 bool lim_layers_finish(struct lim_layers *layers, uint16_t *line, struct lim_stats *stats)
@@ -94,7 +123,10 @@ bool lim_layers_finish(struct lim_layers *layers, uint16_t *line, struct lim_sta
     if (LIM_HAS_STATS && layers->used > stats->layers_max) stats->layers_max = layers->used;
     while (layers->used) {
         const struct lim_layer *layer = &layers->pool[--layers->used];
-        lim_blend(line, layer->x0, (uint16_t)(layer->x1 - layer->x0), layer->colour, layer->alpha);
+        if (LIM_HAS_MASKED && layer->masked->gradients)
+            fill_masked(layers, layer, line, stats);
+        else
+            lim_blend(line, layer->x0, (uint16_t)(layer->x1 - layer->x0), layer->colour, layer->alpha);
     }
     return true;
 }

@@ -7,6 +7,7 @@
 #ifndef LIM_LAYERS_H
 #define LIM_LAYERS_H
 
+#include "colour.h"
 #include "stages.h"
 
 /* Whether any of the pixels x0 <= x < x1 of a line is open. */
@@ -26,6 +27,39 @@ static inline void lim_layers_open_own(struct lim_layers *layers)
 {
     layers->pool = layers->own;
     layers->size = layers->own_size;
+}
+
+/* Of masked textures, before a line's first piece. */
+static inline void lim_layers_begin(struct lim_layers *layers, const struct lim_texturing *texturing, uint16_t y)
+{
+    *layers->texturing = texturing;
+    *layers->y = (int16_t)y;
+}
+
+/* Pieces that are pushed from now on show this masked texture, of a polygon with pixels left <= x < right on the line;
+ * NULL: their colour. */
+static inline void lim_layers_mask(struct lim_layers *layers, struct lim_gradients *gradients, int16_t left,
+                                   int16_t right)
+{
+    *layers->masked = (struct lim_masked){gradients, left, right};
+}
+
+/* The next one, for which there is room. */
+static inline void lim_layers_put(struct lim_layers *layers, uint16_t x0, uint16_t x1, uint16_t colour, uint8_t alpha)
+{
+    struct lim_layer *const layer = &layers->pool[layers->used++];
+
+    layer->x0 = x0;
+    layer->x1 = x1;
+    layer->colour = colour;
+    layer->alpha = alpha;
+    if (LIM_HAS_MASKED) *layer->masked = *layers->masked;
+}
+
+/* What of its pixels a polygon of this alpha changes: where its texels are not clear, all. */
+static inline uint8_t lim_layers_alpha(const struct lim_layers *layers, uint8_t alpha)
+{
+    return LIM_HAS_MASKED && layers->masked->gradients ? (uint8_t)LIM_OPAQUE : alpha;
 }
 
 /* Pushes what is open of the piece's pixels. */

@@ -145,12 +145,16 @@ static bool paint_advance(struct lim_active *active, const union lim_retained_ce
 
 /* A transparent polygon leaves its pixels open. */
 static LIM_IF_CALLED void push_layers(struct lim_paint *paint, const struct lim_spans *spans,
-                                      const struct lim_line *open, const struct lim_active *active,
+                                      const struct lim_line *open, struct lim_active *active,
                                       const union lim_retained_cell *cells)
 {
     const int16_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
-    const struct lim_layer piece = {left > 0 ? (uint16_t)left : 0, right > 0 ? (uint16_t)right : 0,
-                                    cells[1].look.colour, lim_retained_alpha(cells)};
+    if (LIM_HAS_MASKED)
+        lim_layers_mask(paint->layers, lim_retained_has_texture(cells) ? active->gradients : NULL, left, right);
+    const struct lim_layer piece = {.x0 = left > 0 ? (uint16_t)left : 0,
+                                    .x1 = right > 0 ? (uint16_t)right : 0,
+                                    .colour = cells[1].look.colour,
+                                    .alpha = lim_layers_alpha(paint->layers, lim_retained_alpha(cells))};
 
     if (!paint->layers->exhausted) lim_layers_push(paint->layers, spans, open, &piece);
 }
@@ -266,6 +270,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     sink.line = use == NOTED ? NULL : target->lend(target->ctx, y);
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
     begin_sink(&sink, paint, y, use);
+    if (LIM_HAS_MASKED) lim_layers_begin(paint->layers, paint->pass->texturing, y);
     lim_actives_count(&paint->actives, spans, stats, y);
     if (LIM_HAS_TRANSPARENT && retained->transparent) lim_layers_open(paint->layers, &paint->actives, spans, y);
     lim_spans_reset_pool(spans);

@@ -79,7 +79,8 @@ static int fill_piece(struct lim_painter *painter, const struct lim_textured_spa
     if (LIM_HAS_WIREFRAME && lim_wireframe_of(pass)) {
         const struct lim_wire wire = lim_wire_of(polygon, lim_wireframe_of(pass), lim_background_of(pass), span->y);
         lim_wire_fill(line, &wire, x0, x1);
-    } else if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE)
+    } else if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE &&
+               !(LIM_HAS_MASKED && lim_screen_texture(polygon) != LIM_NONE))
         lim_blend(line, x0, (uint16_t)(x1 - x0), polygon->colour, lim_alpha_of(polygon));
     else if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE)
         lim_texture_fill(span, line, x0, x1, lim_stats_of(pass));

@@ -344,6 +344,10 @@ void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const
     struct seen seen;
 
     out->texture = &texturing->scene->textures[words[0]];
+    if (LIM_HAS_SKY && lim_texture_is_sky(out->texture)) {
+        lim_sky_set(texturing, &texturing->scene->mappings[words[1]], out);
+        return;
+    }
     see(texturing, &texturing->scene->mappings[words[1]], &seen);
     out->is_even = set_even(texturing, &seen, &around, out);
     if (!out->is_even) set_planes(texturing, &seen, &around, out);

@@ -17,6 +17,7 @@
 #define LIM_TEXTURE_H
 
 #include "camera.h"
+#include "pixels/sky.h"
 #include "pixels/texels.h"
 #include "pixels/texture_planes.h"
 
@@ -43,13 +44,6 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
  * screen; none of a piece, whose lines alone are known. */
 void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out);
-
-/* A line of a textured polygon: pixels left <= x < right, before anything is cut off. */
-struct lim_textured_span {
-    const struct lim_texturing *texturing;
-    struct lim_gradients *gradients;
-    int16_t y, left, right;
-};
 
 /* The stretch of the line that pixel x is in, left <= x < right, on the screen; the next one. Stretches begin at left,
  * or the screen's side, whatever of the line is visible: all orders of drawing paint the same. */
@@ -78,6 +72,10 @@ static inline void lim_texture_fill(const struct lim_textured_span *span, uint16
     const struct lim_gradients *const gradients = span->gradients;
 
     if (gradients->is_even) {
+        if (LIM_HAS_SKY && gradients->is_even == LIM_EVEN_SKY) {
+            lim_sky_fill(span, pixels, x0, x1);
+            return;
+        }
         gradients->paint(pixels + x1, (uint_fast16_t)(x1 - x0),
                          lim_texture_even_place(&gradients->even, gradients->level.step, x0, span->y),
                          &gradients->level);

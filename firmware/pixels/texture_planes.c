@@ -66,6 +66,27 @@ void lim_texture_settle(const struct lim_texturing *texturing, const struct arou
     from_corner(texturing, &planes->uv[1]);
 }
 
+/* Of a masked texture's texels of index 0 nothing is painted. One loop serves all widths, as few pixels are such. */
+static lim_texels_painter paint_masked_texels;
+
+static LIM_IF_CALLED void paint_masked_texels(uint16_t *end, uint_fast16_t n, uint32_t place,
+                                              const struct lim_texture_level *level)
+{
+    const LIM_FLASH uint8_t *const texels = level->texels;
+    const LIM_FLASH uint16_t *const palette = level->palette;
+    const uint32_t w_bits = level->w_bits, rows_mask = level->rows_mask >> w_bits, columns = 16 - w_bits;
+    const uint32_t step = level->step;
+    uint16_t *to = end - n;
+
+    do {
+        const uint32_t row = (uint32_t)(uint16_t)place >> columns & rows_mask;
+        const uint_fast8_t texel = texels[(row << w_bits) + (place >> 16 >> columns)];
+        if (texel) *to = palette[texel];
+        to++;
+        place += step;
+    } while (to != end);
+}
+
 void lim_texture_set_level(const struct lim_scene *scene, uint8_t number, struct lim_gradients *gradients)
 {
     struct lim_texture_level *const level = &gradients->level;
@@ -73,6 +94,7 @@ void lim_texture_set_level(const struct lim_scene *scene, uint8_t number, struct
     lim_texels_take_level(scene, gradients->texture, number, level);
     level->number = number;
     gradients->paint = LIM_OPTIMISE_SIZE ? lim_texels_paint_any : lim_texels_painters[level->w_bits];
+    if (LIM_HAS_MASKED && lim_texture_is_masked(gradients->texture)) gradients->paint = paint_masked_texels;
 }
 
 /* The least depth whose log2 is that, as lim_texture_level_q4() has it. */

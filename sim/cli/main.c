@@ -46,9 +46,19 @@ static const struct command {
                 {"wad", cmd_wad, false},
                 {"walk", cmd_walk, true}};
 
-/* --trust-paths and --no-textures, which mean the same to all commands that read models, are taken out. */
+/* Of an option at argv[*i], which `argument` follows or is the next one; *i moves with that. NULL: it is another. */
+static const char *argument_of(const char *option, int argc, char **argv, int *i)
+{
+    const size_t length = strlen(option);
+    if (strncmp(argv[*i], option, length) != 0) return NULL;
+    if (argv[*i][length] == '=') return argv[*i] + length + 1;
+    return argv[*i][length] == '\0' && *i + 1 < argc ? argv[++*i] : NULL;
+}
+
+/* --trust-paths, --no-textures and --sky, which mean the same to all commands that read models, are taken out. */
 static int take_common(int argc, char **argv)
 {
+    const char *sky;
     int kept = 0;
     bool is_option = true;
     for (int i = 0; i < argc; i++) {
@@ -57,6 +67,8 @@ static int take_common(int argc, char **argv)
             companions_trust();
         else if (is_option && strcmp(argv[i], "--no-textures") == 0)
             pictures_leave_out();
+        else if (is_option && (sky = argument_of("--sky", argc, argv, &i)))
+            pictures_set_sky(sky);
         else
             argv[kept++] = argv[i];
     }

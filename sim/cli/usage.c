@@ -142,6 +142,10 @@ static const struct usage_entry ENTRIES[] = {
     {MODELS | REPLAY | WALK,
      "  --no-textures       faces have their materials' colours; without it a texture that cannot be read is an\n"
      "                      error (all commands that read a MODEL)\n"},
+    {MODELS | REPLAY | WALK,
+     "  --sky MATERIAL      faces of that material are a sky: its picture is seen around the eye, endlessly far\n"
+     "                      away, 1024 columns of it all round and the horizon at 25/32 of its height, as in Doom\n"
+     "                      (all commands that read a MODEL; maps have theirs)\n"},
     {0, "compile and measure, for a MODEL:\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
      "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"

@@ -72,7 +72,8 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     out->last_record = out->word_count;
     const bool with_edges = work->with_edges && outline_hides(outline);
     uint16_t texture[LIM_POLYGON_TEXTURE_WORDS];
-    const bool is_textured = !polygon->transparency && texture_encode(&work->textures, polygon, &work->plane, texture);
+    const bool is_textured = (!polygon->transparency || texture_is_masked(work->bsp->mesh, polygon)) &&
+                             texture_encode(&work->textures, polygon, &work->plane, texture);
     word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0u) |
                       (with_edges ? LIM_POLYGON_EDGES : 0u) | (is_textured ? LIM_POLYGON_TEXTURE : 0u));
     word_add(out, rgb565_nearest(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));

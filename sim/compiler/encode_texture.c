@@ -41,6 +41,11 @@ static uint32_t lit(uint32_t colour, uint32_t light)
     return out;
 }
 
+bool texture_is_masked(const struct mesh *mesh, const struct mesh_polygon *polygon)
+{
+    return polygon->mapping && mesh->textures[mesh->mappings[polygon->mapping].texture].is_masked;
+}
+
 uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon)
 {
     return lit(mesh->textures[mesh->mappings[polygon->mapping].texture].mean, polygon->colour);
@@ -112,7 +117,10 @@ static void look_add(struct texture_encoder *encoder, const struct mesh_polygon 
                              .w_bits = texture->w_bits,
                              .h_bits = texture->h_bits,
                              .levels = texture->levels,
-                             .place_bits = encoder->place_bits ? encoder->place_bits[number] : 0};
+                             .place_bits = encoder->place_bits  ? encoder->place_bits[number]
+                                           : texture->sky.times ? (uint8_t)LIM_TEXTURE_SKY
+                                           : texture->is_masked ? (uint8_t)LIM_TEXTURE_MASKED
+                                                                : 0};
 }
 
 /* Mappings ----------------------------------------------------------------------------------- */
@@ -188,6 +196,15 @@ static struct lim_mapping mapping_of(const struct mesh *mesh, const struct mappi
     return out;
 }
 
+/* Only what is asked of a sky's; the rest is that of a plane. */
+static struct lim_mapping sky_of(const struct texture *texture)
+{
+    const double horizon = ldexp(texture->sky.horizon, 15 + texture->h_bits - texture->w_bits);
+    return (struct lim_mapping){.uv = {{(int16_t)texture->sky.times, 0}, {0, 0}},
+                                .at_zero_q16 = {0, (uint16_t)fmin(fmax(floor(horizon + 0.5), 0), UINT16_MAX)},
+                                .scale = LIM_MAPPING_UPRIGHT};
+}
+
 static uint64_t hash_of(const struct lim_mapping *mapping)
 {
     const unsigned char *bytes = (const unsigned char *)mapping;
@@ -200,7 +217,9 @@ static uint64_t hash_of(const struct lim_mapping *mapping)
 static uint32_t mapping_index(struct texture_encoder *encoder, uint32_t number, const struct texture_plane *plane)
 {
     struct texture_arrays *out = encoder->out;
-    const struct lim_mapping mapping = mapping_of(encoder->mesh, &encoder->mesh->mappings[number], plane);
+    const struct mapping *from = &encoder->mesh->mappings[number];
+    const struct texture *texture = &encoder->mesh->textures[from->texture];
+    const struct lim_mapping mapping = texture->sky.times ? sky_of(texture) : mapping_of(encoder->mesh, from, plane);
     const uint32_t index = *map_at(&encoder->same, hash_of(&mapping), (uint32_t)out->mapping_count);
     if (index < out->mapping_count && memcmp(&out->mappings[index], &mapping, sizeof mapping) == 0) return index;
     out->mappings = grow(out->mappings, out->mapping_count, &out->mapping_capacity, sizeof *out->mappings);

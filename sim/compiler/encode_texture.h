@@ -35,7 +35,10 @@ bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *
 /* Of a mesh: the texture of a polygon, and one of a single texel for one that has none. */
 uint16_t texture_encode_look(struct texture_encoder *encoder, const struct mesh_polygon *polygon);
 
-/* Where the texture cannot be shown, as on what is transparent: its mean, lit. */
+/* Whether some of its texture's texels are clear: then it has a transparency, too. */
+bool texture_is_masked(const struct mesh *mesh, const struct mesh_polygon *polygon);
+
+/* Where the texture cannot be shown, as on what is transparent all over: its mean, lit. */
 uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon);
 
 /* When all records are encoded. */

@@ -37,7 +37,7 @@ static void add_flat(struct importing *importing, const int32_t (*points)[2], si
     const char *flat = is_floor ? sector->floor_flat : sector->ceiling_flat;
     const int height = is_floor ? sector->floor : sector->ceiling;
     struct level_textures *textures = importing->faces.textures;
-    struct level_paint paint = {.look = importing->sky, .is_plain = true, .light = 0xFFFFFF};
+    struct level_paint paint = {.look = importing->sky, .is_sky = true, .light = 0xFFFFFF};
     if (!level_is_sky(flat))
         paint = (struct level_paint){.look = level_look(textures, LOOK_FLAT, flat),
                                      .light = level_light(textures, sector->light, 0)};

@@ -22,10 +22,10 @@ static size_t blocks_at(const struct model *model, uint8_t most_bits)
     size_t blocks = 0;
     for (size_t i = 0; i < model->picture_count; i++) {
         const struct picture *picture = &model->pictures[i];
-        if (is_shown(picture))
-            blocks += texture_texels(texture_side_bits(picture->w_px, most_bits),
-                                     texture_side_bits(picture->h_px, most_bits)) /
-                      LIM_TEXEL_BLOCK;
+        uint8_t w_bits, h_bits;
+        if (!is_shown(picture)) continue;
+        texture_bits_of(picture, most_bits, &w_bits, &h_bits);
+        blocks += texture_texels(w_bits, h_bits) / LIM_TEXEL_BLOCK;
     }
     return blocks;
 }

@@ -188,7 +188,7 @@ static void other_versions_are_refused_by_number(void **state)
     unsigned char *bytes = written_bytes();
     bytes[8] = LIM_FILE_VERSION + 1;
     write_bytes(bytes, scene.image_b);
-    assert_unreadable("version 11; this program reads version 10");
+    assert_unreadable("version 12; this program reads version 11");
     free(bytes);
 }
 
