@@ -41,6 +41,10 @@ uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon 
 /* When all records are encoded. */
 void texture_encoder_finish(struct texture_encoder *encoder);
 
+/* In a tree of more words than 16 bits count a mapping is of one texture, and names it: a mapping that is shown with
+ * several gets copies. */
+void texture_name_by_mappings(struct encoding *encoding);
+
 /* Refuses what does not fit 16-bit indices. */
 bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err);
 void texture_encoder_free(struct texture_encoder *encoder);
