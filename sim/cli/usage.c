@@ -142,6 +142,10 @@ static const struct usage_entry ENTRIES[] = {
     {MODELS | REPLAY | WALK,
      "  --no-textures       faces have their materials' colours; without it a texture that cannot be read is an\n"
      "                      error (all commands that read a MODEL)\n"},
+    {MODELS | REPLAY | WALK,
+     "  --texture-budget KB  textures take so many KB at most, of 1000 bytes, palettes included: some get smaller, "
+     "some\n"
+     "                      show another or one colour, whichever loses least (all commands that read a MODEL)\n"},
     {0, "compile and measure, for a MODEL:\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
      "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"

@@ -42,6 +42,11 @@ static uint32_t lit(uint32_t colour, uint32_t light)
     return out;
 }
 
+uint32_t texture_light_of(uint32_t colour)
+{
+    return light_of(colour, LIGHT_BITS);
+}
+
 uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon)
 {
     return lit(mesh->textures[mesh->mappings[polygon->mapping].texture].mean, polygon->colour);

@@ -32,6 +32,9 @@ void texture_encoder_init(struct texture_encoder *encoder, const struct mesh *me
 bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon,
                     const struct texture_plane *plane, uint16_t words[2]);
 
+/* The light of a face, as palettes have it where there is room for all levels. */
+uint32_t texture_light_of(uint32_t colour);
+
 /* Of a mesh: the texture of a polygon, and one of a single texel for one that has none. */
 uint16_t texture_encode_look(struct texture_encoder *encoder, const struct mesh_polygon *polygon);
 

@@ -7,7 +7,7 @@
 
 enum { COUNT_MAX = 0xFFFF };
 
-static void texture_arrays_free(struct texture_arrays *arrays)
+void texture_arrays_free(struct texture_arrays *arrays)
 {
     free(arrays->mappings);
     free(arrays->textures);
