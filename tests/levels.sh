@@ -13,7 +13,7 @@ is_right() { # MAP
     echo "$row"
     # shellcheck disable=SC2086 # figures are words
     set -- $row
-    [ $# -eq 19 ] && [ "$9${10}${18}${19}" = 0000 ]
+    [ $# -eq 21 ] && [ "${10}${11}${20}${21}" = 0000 ]
 }
 
 for episode in 1 2 3 4; do

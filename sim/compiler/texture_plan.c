@@ -267,6 +267,26 @@ static bool take_next(struct planning *work)
     return true;
 }
 
+/* The last steps may have spared more than was wanted: the level that is missed most, of those that there is room for.
+ */
+static bool give_back(struct planning *work, size_t budget_b)
+{
+    uint32_t best = UINT32_MAX;
+    double most = 0;
+    for (uint32_t i = 0; i < work->mesh->texture_count; i++) {
+        const unsigned cut = work->steps[i].cut;
+        if (!is_head(work, i) || !cut) continue;
+        const size_t more_b = bytes_with(work, i, cut - 1, work->light_counts[i]) - bytes_of(work, i);
+        const double gain = loss_of_group(work, i, cut) - loss_of_group(work, i, cut - 1);
+        if (work->total_b + more_b <= budget_b && gain > most) best = i, most = gain;
+    }
+    if (best == UINT32_MAX) return false;
+    work->total_b -= bytes_of(work, best);
+    work->steps[best].cut--;
+    work->total_b += bytes_of(work, best);
+    return true;
+}
+
 /* Beginning and end ---------------------------------------------------------------------------- */
 
 /* A level of 4 texels' height is as near as the whole picture, or nearer. */
@@ -348,6 +368,8 @@ bool texture_plan_make(const struct mesh *mesh, const struct texels_seen *seen, 
     struct planning work = {.mesh = mesh, .seen = seen, .steps = plan->steps};
     begin(&work);
     while (work.total_b > budget_b && take_next(&work)) {
+    }
+    while (work.total_b <= budget_b && give_back(&work, budget_b)) {
     }
     settle(&work, plan);
     end(&work);

@@ -11,6 +11,7 @@
 #include "base/vec3.h"
 #include "core/core.h"
 #include "render/ids.h"
+#include "scene/mem_parts.h"
 #include "scene/moving.h"
 #include "scene/plane.h"
 #include "scene/records.h"
@@ -249,8 +250,10 @@ bool measure_accuracy(struct measure_source *source, const struct measure_views 
     for (size_t i = 0; ok && i < count; i++)
         ok = measured_init(&measured[i], &candidates[i], views, err);
     ok = ok && measure_frames(measured, count, source, views, before, out, err);
-    for (size_t i = 0; ok && i < count; i++)
+    for (size_t i = 0; ok && i < count; i++) {
+        out[i].textures_b = texture_memory_b(&candidates[i].scene->scene);
         sum_up_texels(&measured[i].texels, out[i].pixels.frames, &out[i]);
+    }
     for (size_t i = 0; measured && i < count; i++)
         measured_free(&measured[i]);
     free(before);

@@ -72,6 +72,12 @@ static void print_texels(const struct measure_table *table, FILE *out)
             table->rows[0].accuracy.texel_pixels);
 }
 
+static void print_texture_memory(const struct measure_table *table, FILE *out)
+{
+    if (table->rows[0].accuracy.textures_b)
+        fprintf(out, "\nTextures take %zu bytes of the scene's flash.\n", table->rows[0].accuracy.textures_b);
+}
+
 static void print_kernel(double instructions, FILE *out)
 {
     if (isnan(instructions))
@@ -144,6 +150,7 @@ void measure_table_markdown(const struct measure_table *table, FILE *out)
     print_accuracies(table, out);
     measure_refusals_print(&table->refused, "\n", out);
     print_texels(table, out);
+    print_texture_memory(table, out);
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
         fprintf(out, "\n## %s%s%s\n\n", table->cpus[cpu]->title, table->optimise ? ", code for " : "",
                 table->optimise ? table->optimise : "");
@@ -197,9 +204,14 @@ static void csv_cost(const struct measure_row *row, size_t cpu, const char *name
     fprintf(out, ",%s,%.1f,%llu,%zu", name, cost->mean, (unsigned long long)cost->worst, cost->worst_frame);
     csv_number(cost->vertex, out);
     csv_number(cost->side, out);
-    fprintf(out, ",%zu,%zu,%zu,%zu,%zu,%zu,%d,%s,%zu\n", cost->state_b, cost->pools_b, cost->static_b, cost->code_b,
-            cost->library_b, cost->scene_b, better == NULL, better ? better->name : "",
-            row->accuracy.pixels.total.order);
+    fprintf(out, ",%zu,%zu,%zu,%zu,%zu,%zu,%d,%s", cost->state_b, cost->pools_b, cost->static_b, cost->code_b,
+            cost->library_b, cost->scene_b, better == NULL, better ? better->name : "");
+}
+
+/* Columns of accuracy that came later than those of cost. */
+static void csv_later(const struct measure_row *row, FILE *out)
+{
+    fprintf(out, ",%zu,%zu\n", row->accuracy.pixels.total.order, row->accuracy.textures_b);
 }
 
 void measure_table_csv(const struct measure_table *table, FILE *out)
@@ -207,16 +219,18 @@ void measure_table_csv(const struct measure_table *table, FILE *out)
     fputs("scene,w_px,h_px,frames,precision,sub_bits,wrong_percent,worst_frame_percent,worst_frame,beyond_ppm,holes,"
           "vertex_rms_px,vertex_max_px,vertices,vertices_without_source,sides,sides_wrong,"
           "core,instructions,worst_instructions,worst_instructions_frame,a_vertex,a_plane_test,"
-          "state_b,pools_b,static_b,code_b,library_b,scene_b,on_front,dominated_by,order_errors\n",
+          "state_b,pools_b,static_b,code_b,library_b,scene_b,on_front,dominated_by,order_errors,textures_b\n",
           out);
     for (size_t i = 0; i < table->row_count; i++) {
         for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
             csv_accuracy(table, &table->rows[i], out);
             csv_cost(&table->rows[i], cpu, table->cpus[cpu]->name, out);
+            csv_later(&table->rows[i], out);
         }
         if (table->cpu_count) continue;
         csv_accuracy(table, &table->rows[i], out);
-        fprintf(out, ",,,,,,,,,,,,,,,%zu\n", table->rows[i].accuracy.pixels.total.order);
+        fputs(",,,,,,,,,,,,,,", out);
+        csv_later(&table->rows[i], out);
     }
 }
 

@@ -54,6 +54,7 @@ struct accuracy {
     size_t sides, sides_wrong;
     /* Pixels of textured faces: how far the texel shown is from the true one, mean and 99 of 100, texels of the level
      * of detail shown; the mean in texels of the whole picture; divisions a frame, for the perspective. */
+    size_t textures_b; /* of the scene: texture_memory_b() */
     size_t texel_pixels;
     double texel_mean, texel_p99, texel_mean_finest, divisions;
     /* Of methods that sort: polygons split in all frames, and pairs whose order could not be settled. */

@@ -45,6 +45,7 @@ static size_t blocks_at(const struct model *model, uint8_t most_bits)
 static struct note *note_add(struct mesh *mesh)
 {
     mesh->notes = grow(mesh->notes, mesh->note_count, &mesh->note_capacity, sizeof *mesh->notes);
+    mesh->notes[mesh->note_count] = (struct note){.is_detail = false};
     return &mesh->notes[mesh->note_count++];
 }
 
