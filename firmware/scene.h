@@ -146,11 +146,13 @@ struct lim_mapping {
 };
 enum { LIM_MAPPING_BITS = 31, LIM_MAPPING_UPRIGHT = 32, LIM_MAPPING_AXIS_SHIFT = 6 };
 #if LIM_HAS_WIDE
+#define LIM_MAPPING_TEXTURE(mapping) ((mapping)->texture)
 #define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale, texture)                                         \
     {                                                                                                                  \
         {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale, texture                                              \
     }
 #else
+#define LIM_MAPPING_TEXTURE(mapping) ((void)(mapping), 0u)
 #define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale, texture)                                         \
     {                                                                                                                  \
         {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale                                                       \
@@ -276,12 +278,7 @@ static inline uint16_t lim_texture_count(const struct lim_scene *scene)
 /* Where 16 bits do not tell at which word a record names its texture, its mapping does: no two textures share one. */
 static inline bool lim_mappings_name_textures(const struct lim_scene *scene)
 {
-#if LIM_HAS_WIDE
-    return scene->polygon_words > UINT16_MAX;
-#else
-    (void)scene;
-    return false;
-#endif
+    return LIM_HAS_WIDE && (uint32_t)scene->polygon_words >> 16 != 0;
 }
 
 /* x, y, z in turns. */

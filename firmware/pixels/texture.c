@@ -337,8 +337,6 @@ static void set_planes(const struct lim_texturing *texturing, const struct seen 
 }
 
 /* lim_screen_polygon.texture, of a scene, and the words that are there. */
-#if LIM_HAS_WIDE
-
 static inline uint16_t mapping_of(const struct lim_scene *scene, uint16_t number, const LIM_FLASH lim_index *words)
 {
     return lim_mappings_name_textures(scene) ? number : (uint16_t)words[1];
@@ -346,24 +344,8 @@ static inline uint16_t mapping_of(const struct lim_scene *scene, uint16_t number
 
 static inline uint16_t texture_of(const struct lim_scene *scene, uint16_t number, const LIM_FLASH lim_index *words)
 {
-    return lim_mappings_name_textures(scene) ? scene->mappings[number].texture : (uint16_t)words[0];
+    return lim_mappings_name_textures(scene) ? LIM_MAPPING_TEXTURE(&scene->mappings[number]) : (uint16_t)words[0];
 }
-
-#else
-
-static inline uint16_t mapping_of(const struct lim_scene *scene, uint16_t number, const LIM_FLASH lim_index *words)
-{
-    (void)scene, (void)number;
-    return words[1];
-}
-
-static inline uint16_t texture_of(const struct lim_scene *scene, uint16_t number, const LIM_FLASH lim_index *words)
-{
-    (void)scene, (void)number;
-    return words[0];
-}
-
-#endif
 
 void lim_texture_set(const struct lim_texturing *texturing, uint16_t number, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out)
