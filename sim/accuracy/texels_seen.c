@@ -4,7 +4,6 @@
  * along the view's axis as 1, meets it at depth z. */
 #include "accuracy/texels_seen.h"
 
-#include "accuracy/reference.h"
 #include "base/deadline.h"
 #include "base/vec3.h"
 
@@ -32,16 +31,22 @@ static double density_of(const struct mapping *mapping, const struct texture *te
     return ldexp(sqrt(vec3_dot(across, across)), texture->w_bits + texture->h_bits);
 }
 
+double texel_level_at(const struct reference *reference, size_t pixel, const struct mapping *mapping,
+                      const struct texture *texture, double pixel_area)
+{
+    const double depth_m = reference->depths_m[pixel];
+    double point_m[3], along = 0;
+    reference_point(reference, pixel, point_m);
+    for (int i = 0; i < 3; i++)
+        along += mapping->normal[i] * (point_m[i] - reference->view.eye_m[i]) / depth_m;
+    const double area = pixel_area * depth_m * depth_m / fmax(fabs(along), 1e-6);
+    return log2(area * density_of(mapping, texture)) / 2;
+}
+
 static unsigned level_at(const struct looking *looking, size_t pixel, const struct mapping *mapping,
                          const struct texture *texture)
 {
-    const double depth_m = looking->reference.depths_m[pixel];
-    double point_m[3], along = 0;
-    reference_point(&looking->reference, pixel, point_m);
-    for (int i = 0; i < 3; i++)
-        along += mapping->normal[i] * (point_m[i] - looking->reference.view.eye_m[i]) / depth_m;
-    const double area = looking->pixel_area * depth_m * depth_m / fmax(fabs(along), 1e-6);
-    const double level = floor(log2(area * density_of(mapping, texture)) / 2 + 0.5);
+    const double level = floor(texel_level_at(&looking->reference, pixel, mapping, texture, looking->pixel_area) + 0.5);
     return level > 0 ? (unsigned)fmin(level, texture->levels - 1) : 0;
 }
 
