@@ -143,17 +143,19 @@ struct lim_mapping {
     int8_t level_q3;         /* log2 of texels a unit, the mean of both directions, and half of log2(|n| / 2^14) */
     uint8_t scale;           /* bits, 0..31; LIM_MAPPING_UPRIGHT: an axis plane; the axis of the longest component */
 #if LIM_HAS_WIDE
-    uint16_t zero;
+    uint16_t texture; /* lim_mappings_name_textures(): the one that is shown, of lim_scene.textures; else 0 */
 #endif
 };
 enum { LIM_MAPPING_BITS = 31, LIM_MAPPING_UPRIGHT = 32, LIM_MAPPING_AXIS_SHIFT = 6 };
 #if LIM_HAS_WIDE
-#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale)                                                  \
+#define LIM_MAPPING_TEXTURE(mapping) ((mapping)->texture)
+#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale, texture)                                         \
     {                                                                                                                  \
-        {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale, 0                                                    \
+        {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale, texture                                              \
     }
 #else
-#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale)                                                  \
+#define LIM_MAPPING_TEXTURE(mapping) ((void)(mapping), 0u)
+#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale, texture)                                         \
     {                                                                                                                  \
         {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale                                                       \
     }
@@ -293,6 +295,12 @@ static inline uint16_t lim_texture_count(const struct lim_scene *scene)
 #endif
 }
 
+/* Where 16 bits do not tell at which word a record names its texture, its mapping does: no two textures share one. */
+static inline bool lim_mappings_name_textures(const struct lim_scene *scene)
+{
+    return LIM_HAS_WIDE && (uint32_t)scene->polygon_words >> 16 != 0;
+}
+
 /* x, y, z in turns. */
 /*@ assigns \nothing;
     ensures \result == (axis < 2 ? axis + 1 : 0); */
@@ -373,6 +381,12 @@ static inline uint16_t lim_record_alpha_at(lim_index head)
 static inline uint16_t lim_record_edges_at(lim_index head)
 {
     return lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE | LIM_POLYGON_ALPHA));
+}
+
+/* The mapping that a record with LIM_POLYGON_TEXTURE names in its last word. */
+static inline uint16_t lim_record_mapping(const LIM_FLASH lim_index *record)
+{
+    return (uint16_t)record[lim_record_words(record[0]) - 1];
 }
 
 static inline bool lim_node_is_leaf(const LIM_FLASH struct lim_node *node)

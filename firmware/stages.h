@@ -361,7 +361,7 @@ struct lim_screen_polygon {
     LIM_OPTIONAL(uint8_t, alpha, LIM_HAS_TRANSPARENT);
     LIM_OPTIONAL(uint16_t, hidden, LIM_HAS_WIREFRAME *LIM_FLAG_WORDS(CLIP_MAX_VERTICES)); /* an edge a bit: not drawn */
     LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* `shape` is of its samples */
-    /* The word of lim_scene.polygons at which its record names its texture, or LIM_NONE. */
+    /* Where its record names its texture, or, lim_mappings_name_textures(), the mapping that does; LIM_NONE. */
     LIM_OPTIONAL(uint16_t, texture, LIM_HAS_TEXTURE);
     struct lim_point at[CLIP_MAX_VERTICES];
 };

@@ -174,10 +174,11 @@ enum outcome {
     SLOW_PATH /* nothing was done: collect_any() */
 };
 
-/* Where a record with LIM_POLYGON_TEXTURE names it, or LIM_NONE of any record: textures may have been taken away. */
-static inline uint16_t texture_word(const struct lim_pass *pass, const LIM_FLASH lim_index *record)
+/* lim_screen_polygon.texture; LIM_NONE of any record: textures may have been taken away. */
+static inline uint16_t texture_named(const struct lim_pass *pass, const LIM_FLASH lim_index *record)
 {
     if (!LIM_HAS_TEXTURE || !(record[0] & LIM_POLYGON_TEXTURE) || !lim_texture_count(pass->scene)) return LIM_NONE;
+    if (lim_mappings_name_textures(pass->scene)) return lim_record_mapping(record);
     return (uint16_t)(record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS - pass->scene->polygons);
 }
 
@@ -209,7 +210,7 @@ static inline enum outcome collect_shape(struct lim_nearest *nearest, const LIM_
         shown = seen;
     }
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons_seen++;
-    const uint16_t texture = moves ? (uint16_t)LIM_NONE : texture_word(pass, record);
+    const uint16_t texture = moves ? (uint16_t)LIM_NONE : texture_named(pass, record);
     const bool textured = LIM_HAS_TEXTURE && texture != LIM_NONE;
     if (textured) nearest->retained.textured = true;
     lim_retained_link(&nearest->spans, &nearest->retained, &nearest->spans.lines[shown.top], n, shape->first,

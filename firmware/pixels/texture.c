@@ -336,19 +336,32 @@ static void set_planes(const struct lim_texturing *texturing, const struct seen 
     lim_texture_settle(texturing, around, seen->shift, out);
 }
 
-void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
+/* lim_screen_polygon.texture, of a scene, and the words that are there. */
+static inline uint16_t mapping_of(const struct lim_scene *scene, uint16_t number, const LIM_FLASH lim_index *words)
+{
+    return lim_mappings_name_textures(scene) ? number : (uint16_t)words[1];
+}
+
+static inline uint16_t texture_of(const struct lim_scene *scene, uint16_t number, const LIM_FLASH lim_index *words)
+{
+    return lim_mappings_name_textures(scene) ? LIM_MAPPING_TEXTURE(&scene->mappings[number]) : (uint16_t)words[0];
+}
+
+void lim_texture_set(const struct lim_texturing *texturing, uint16_t number, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out)
 {
-    const LIM_FLASH lim_index *words = &texturing->scene->polygons[word];
+    const LIM_FLASH lim_index *words = &texturing->scene->polygons[number]; /* there are as many, in any scene */
     const struct around around = around_points(texturing, at, n);
     struct seen seen;
 
-    out->texture = &texturing->scene->textures[words[0]];
+    const struct lim_scene *const scene = texturing->scene;
+    const LIM_FLASH struct lim_mapping *const mapping = &scene->mappings[mapping_of(scene, number, words)];
+    out->texture = &scene->textures[texture_of(scene, number, words)];
     if (LIM_HAS_SKY && lim_texture_is_sky(out->texture)) {
-        lim_sky_set(texturing, &texturing->scene->mappings[words[1]], out);
+        lim_sky_set(texturing, mapping, out);
         return;
     }
-    see(texturing, &texturing->scene->mappings[words[1]], &seen);
+    see(texturing, mapping, &seen);
     out->is_even = set_even(texturing, &seen, &around, out);
     if (!out->is_even) set_planes(texturing, &seen, &around, out);
 }

@@ -40,9 +40,9 @@ struct lim_texture_line {
 void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
                        const struct lim_camera *camera);
 
-/* Once a polygon; its record names texture and mapping at this word of lim_scene.polygons. `at`: its n corners on the
- * screen; none of a piece, whose lines alone are known. */
-void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
+/* Once a polygon; `number` as lim_screen_polygon.texture. `at`: its n corners on the screen; none of a piece, whose
+ * lines alone are known. */
+void lim_texture_set(const struct lim_texturing *texturing, uint16_t number, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out);
 
 /* The stretch of the line that pixel x is in, left <= x < right, on the screen; the next one. Stretches begin at left,

@@ -10,6 +10,7 @@
 #include "cli/completion.h"
 #include "cli/man_page.h"
 #include "cli/usage.h"
+#include "compiler/texture_budget.h"
 #include "readers/companion.h"
 #include "readers/picture.h"
 
@@ -104,6 +105,14 @@ static int help_with(const char *name)
     return usage_print_command(name, stdout) ? EXIT_SUCCESS : no_command(name);
 }
 
+/* --texture-budget, which does, too. */
+static bool take_budget(const struct command *command, struct arguments *arguments, struct error *err)
+{
+    const char *text = NULL;
+    if (!command->is_long || !arguments_value(arguments, "--texture-budget", &text, err)) return !command->is_long;
+    return !text || texture_budget_parse(text, err);
+}
+
 /* The time runs from here. */
 static bool begin_time(const struct command *command, struct arguments *arguments, struct error *err)
 {
@@ -119,7 +128,8 @@ static int run_command(const struct command *command, int argc, char **argv)
 {
     struct arguments arguments = {argv, command->is_long ? take_common(argc, argv) : argc};
     struct error err;
-    if (begin_time(command, &arguments, &err)) return command->run(arguments.count, arguments.items);
+    if (take_budget(command, &arguments, &err) && begin_time(command, &arguments, &err))
+        return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);
     return EXIT_FAILURE;
 }

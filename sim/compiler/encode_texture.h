@@ -32,6 +32,9 @@ void texture_encoder_init(struct texture_encoder *encoder, const struct mesh *me
 bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon,
                     const struct texture_plane *plane, uint16_t words[2]);
 
+/* The light of a face, as palettes have it where there is room for all levels. */
+uint32_t texture_light_of(uint32_t colour);
+
 /* Of a mesh: the texture of a polygon, and one of a single texel for one that has none. */
 uint16_t texture_encode_look(struct texture_encoder *encoder, const struct mesh_polygon *polygon);
 
@@ -43,6 +46,10 @@ uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon 
 
 /* When all records are encoded. */
 void texture_encoder_finish(struct texture_encoder *encoder);
+
+/* In a tree of more words than 16 bits count a mapping is of one texture, and names it: a mapping that is shown with
+ * several gets copies. */
+void texture_name_by_mappings(struct encoding *encoding);
 
 /* Refuses what does not fit 16-bit indices. */
 bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err);

@@ -227,6 +227,7 @@ static void print_flash(const struct compiled *scene)
     for (size_t i = 0; i < count; i++)
         print_bytes(parts[i].name, parts[i].size_b, polygons);
     print_bytes("in all", scene->report.flash_b, polygons);
+    if (scene->scene.texture_count) print_bytes("  of these textures", texture_memory_b(&scene->scene), polygons);
 }
 
 /* Lines begin at whole words. */

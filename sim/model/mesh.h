@@ -35,6 +35,7 @@ struct mapping {
 /* One line of text on what could not be taken as it was. */
 struct note {
     char text[256];
+    bool is_detail; /* for the report alone */
 };
 
 /* What became of the input; the report prints it. */
@@ -94,6 +95,9 @@ bool mesh_clean_fine(const struct model *model, const struct grid *grid, struct 
 /* Makes the model's pictures textures: those that a face shows. Together they get no larger than a scene can hold: if
  * need be, the largest are made smaller. What became of each goes to mesh->notes. */
 bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err);
+
+/* Makes them anew, as large as their pictures: together perhaps larger than a scene can hold. */
+bool mesh_textures_enlarge(const struct model *model, struct mesh *mesh, struct error *err);
 
 /* Joins coplanar neighbours of one colour, opacity and texture wherever the union is convex, and drops corners in the
  * middle of straight sides; mesh_insert_t_vertices() brings back those that others need. Polygons

@@ -34,7 +34,10 @@ struct picture {
     bool left_out;       /* by the user's wish: there are no pixels, and that is no error */
     bool has_alpha;      /* not all of it is opaque, as it was found */
     size_t faces;        /* that show it */
-    size_t clear_faces;  /* whose transparency it has, by its alpha or as their mask, and which is not drawn */
+    uint8_t
+        w_bits_end; /* its texture has fewer bits of width than that, by leaving out levels; 0: as many as it likes */
+    char became[TEXTURE_NAME_B + 32]; /* for --texture-budget, for people; empty: nothing */
+    size_t clear_faces; /* whose transparency it has, by its alpha or as their mask, and which is not drawn */
 };
 
 struct texture {

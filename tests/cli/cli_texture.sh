@@ -134,6 +134,34 @@ texels_are_near() { # PRECISION MOST
     awk -v mean="$mean" -v whole="$whole" -v most="$2" 'BEGIN { exit !(mean > 0 && mean <= most && whole <= most) }'
 }
 
+texel_column() { # NAME: of each profile, draft to exact
+    awk -F , -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } { printf "%s ", $at[name] } END { print "" }' texels/measure.csv
+}
+
+# The finer a profile, the nearer; a picture of fast and finer shows no texel that is not next to the true one.
+profiles_get_nearer() {
+    timeout 300 "$limner" measure demo/textured.obj --camera demo/textured.cam --no-cost -o texels >said 2>&1 || { cat said; return 1; }
+    texel_column texel_rms && texel_column texel_far_percent && texel_column texel_level_percent && texel_column texel_straight_percent
+    texel_column texel_rms | awk '{ exit !(NF == 4 && $1 < 0.5 && $2 < 0.1 && $3 < 0.03 && $4 < 0.01 && $1 > $2 && $2 > $3 && $3 > $4 && $4 > 0) }' &&
+        texel_column texel_far_percent | awk '{ exit !(NF == 4 && $1 > 0 && $1 < 1 && $2 + $3 + $4 == 0) }' &&
+        texel_column texel_level_percent | awk '{ exit !(NF == 4 && $1 < 12 && $2 < 12 && $3 < 12 && $4 < 12 && $1 >= $4) }' &&
+        texel_column texel_straight_percent | awk '{ exit !(NF == 4 && $1 > 5 && $1 < 95 && $2 > 5 && $2 < 95) }'
+}
+
+meshes_are_measured_too() {
+    timeout 300 "$limner" measure demo/textured.obj --camera demo/textured.cam --no-cost --method mesh-depth --precision fast -o texels >said 2>&1 || { cat said; return 1; }
+    texel_column texel_rms && texel_column texel_far_percent && texel_column texel_straight_percent
+    texel_column texel_rms | awk '{ exit !(NF == 1 && $1 > 0 && $1 < 0.2) }' && texel_column texel_far_percent | awk '{ exit !($1 < 0.5) }' &&
+        [ "$(texel_column texel_straight_percent)" = ' ' ] && grep -q '^| fast | - | - | - |' texels/measure.md
+}
+
+# Columns are there, and empty.
+plain_models_have_none() {
+    "$limner" measure flat.obj --camera front.cam --size 32x32 --no-cost --precision fast -o texels >said 2>&1 || { cat said; return 1; }
+    tail -n 1 texels/measure.csv && [ "$(texel_column texel_rms)$(texel_column texel_far_percent)" = '  ' ] && ! grep -q 'texel error' texels/measure.md &&
+        awk -F , '{ fields[NF]++ } END { for (n in fields) kinds++; exit kinds != 1 }' texels/measure.csv
+}
+
 flat_quarters >flat.obj
 tap_check 'an OBJ names its picture' quarters_are_where_they_belong obj
 tap_check 'a GLB holds it' quarters_are_where_they_belong glb
@@ -144,6 +172,9 @@ tap_check 'a .lim file shows what the model shows' file_agrees
 tap_check 'fast: texels are within a quarter' texels_are_near fast 0.25
 tap_check 'fine: within a 12th' texels_are_near fine 0.083
 tap_check 'exact: within a 40th' texels_are_near exact 0.025
+tap_check 'the finer a profile, the nearer its texels' profiles_get_nearer
+tap_check 'of meshes, too, it is known which texels are painted' meshes_are_measured_too
+tap_check 'models without textures have no such figures' plain_models_have_none
 tap_check 'the demo is what it was' "$limner" render demo/textured.obj --camera demo/textured.cam --size 120x90 --check "$OLDPWD/tests/textured.hashes"
 
 tap_check 'what is resized is noted' notes 'texture bricks.png: 120x90 pixels, resized to 128x64' demo/textured.obj
