@@ -92,6 +92,7 @@ packages-boards        := sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,
 packages-methods        := gcc-arm-none-eabi qemu-system-arm freedoom $(packages-models)
 packages-delta-cost    := gcc-arm-none-eabi qemu-system-arm
 packages-overlay-cost  := gcc-arm-none-eabi qemu-system-arm
+packages-texels          := gcc-arm-none-eabi qemu-system-arm freedoom
 packages-walk-cost       := gcc-arm-none-eabi qemu-system-arm freedoom
 packages-tables        := $(foreach table,$(TABLES),$(packages-$(table)))
 packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
