@@ -93,6 +93,7 @@ packages-methods        := gcc-arm-none-eabi qemu-system-arm freedoom $(packages
 packages-delta-cost    := gcc-arm-none-eabi qemu-system-arm
 packages-overlay-cost  := gcc-arm-none-eabi qemu-system-arm
 packages-doom           := freedoom valgrind
+packages-texels          := gcc-arm-none-eabi qemu-system-arm freedoom
 packages-walk-cost       := gcc-arm-none-eabi qemu-system-arm freedoom
 packages-tables        := $(foreach table,$(TABLES),$(packages-$(table)))
 packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
