@@ -133,7 +133,7 @@ static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const s
     const uint16_t x0 = open.gap.x0, x1 = open.gap.x1;
     if (LIM_HAS_TEXTURE) {
         sink.span->texturing = paint->pass->texturing;
-        sink.span->y = (int16_t)y;
+        sink.span->y = y;
         *sink.stats = stats;
     }
     lim_actives_count(&paint->actives, spans, stats, y);
