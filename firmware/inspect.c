@@ -52,8 +52,8 @@ static uint32_t own_place(const struct lim_gradients *gradients, uint32_t place)
 static void take_line(const struct lim_pass *pass, const struct lim_textured_span *span, lim_inspect_texel *take,
                       void *ctx)
 {
-    const int16_t w_px = (int16_t)pass->target.w_px, end = span->right < w_px ? span->right : w_px;
-    const int16_t first = span->left > 0 ? span->left : 0;
+    const int16_t end = (int16_t)lim_texture_lesser(span->right, pass->target.w_px);
+    const int16_t first = (int16_t)(span->left > 0 ? span->left : 0);
     struct lim_texture_line line;
 
     if (first >= end) return;

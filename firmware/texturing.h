@@ -118,7 +118,7 @@ struct lim_gradients {
 struct lim_textured_span {
     const struct lim_texturing *texturing;
     struct lim_gradients *gradients;
-    int16_t y, left, right;
+    int32_t y, left, right;
 };
 
 /* A piece with a masked texture: its polygon's mapping, or NULL of a colour, and all of that on the line. */

@@ -95,8 +95,8 @@ static inline void set_span(struct sink *sink, struct lim_active *active, const 
                             int32_t left, int32_t right)
 {
     sink->span->gradients = lim_retained_has_texture(cells) ? active->gradients : NULL;
-    sink->span->left = (int16_t)left;
-    sink->span->right = (int16_t)right;
+    sink->span->left = left;
+    sink->span->right = right;
 }
 
 /* Whether all that a piece takes are texels in perspective, as most textured pieces do. */
@@ -250,7 +250,7 @@ static inline void begin_sink(struct sink *sink, const struct lim_paint *paint, 
     }
     if (LIM_HAS_TEXTURE) {
         sink->span->texturing = paint->pass->texturing;
-        sink->span->y = (int16_t)y;
+        sink->span->y = y;
         *sink->stats = lim_stats_of(paint->pass);
     }
 }

@@ -136,7 +136,7 @@ static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const s
     const uint16_t x0 = open.gap.x0, x1 = open.gap.x1;
     if (LIM_HAS_TEXTURE) {
         sink.span->texturing = paint->pass->texturing;
-        sink.span->y = (int16_t)y;
+        sink.span->y = y;
         *sink.stats = stats;
     }
     if (LIM_HAS_MASKED) lim_layers_begin(paint->layers, paint->pass->texturing, y);

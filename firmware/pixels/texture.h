@@ -63,7 +63,15 @@ static inline uint32_t lim_texture_even_place(const struct lim_texture_even *eve
 }
 
 /* Paints pixels x0 <= x < x1 of a line that is not even. Returns how often it divided, if LIM_HAS_STATS. */
-uint16_t lim_texture_fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0, int32_t x1);
+uint16_t lim_texture_fill_flat(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0, int32_t x1);
+uint16_t lim_texture_fill_slanted(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0, int32_t x1);
+
+static inline uint16_t lim_texture_fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0,
+                                                  int32_t x1)
+{
+    if (!span->gradients->planes.depth.x) return lim_texture_fill_flat(span, pixels, x0, x1);
+    return lim_texture_fill_slanted(span, pixels, x0, x1);
+}
 
 /* Of any line. */
 static inline void lim_texture_fill(const struct lim_textured_span *span, uint16_t *pixels, uint16_t x0, uint16_t x1,
