@@ -93,12 +93,10 @@ struct lim_plane_ref {
  * The records of a node's run share its plane and a facing. Those of a leaf have planes of their own, but in a mesh
  * leaf, whose order is by distance: there a record faces the side from which its corners run counter-clockwise. */
 #define LIM_POLYGON_COUNT 0x00FFu
-#define LIM_POLYGON_PLANE 0x0100u /* its plane, a struct lim_plane_ref: two words */
-#define LIM_POLYGON_BACK 0x0200u  /* it faces the back of that plane */
-#define LIM_POLYGON_ALPHA                                                                                              \
-    0x0400u                       /* its alpha, a word: 1..254, of 255; with a texture, how much of that is not clear  \
-                                   */
-#define LIM_POLYGON_EDGES 0x0800u /* an edge a bit, (n + 15) / 16 words: bit k set, and wireframe leaves edge k out */
+#define LIM_POLYGON_PLANE 0x0100u   /* its plane, a struct lim_plane_ref: two words */
+#define LIM_POLYGON_BACK 0x0200u    /* it faces the back of that plane */
+#define LIM_POLYGON_ALPHA 0x0400u   /* its alpha, a word: 1..254, of 255; textured: how much of it is not clear */
+#define LIM_POLYGON_EDGES 0x0800u   /* an edge a bit, (n + 15) / 16 words: bit k set, and wireframe leaves edge k out */
 #define LIM_POLYGON_TEXTURE 0x1000u /* indices of its texture and of its mapping: two words, the last ones */
 #define LIM_POLYGON_MESH 0x2000u    /* the first of a mesh leaf: four words (LIM_MESH_LEAF_...), before the texture's */
 #define LIM_POLYGON_LAST 0x8000u
@@ -196,13 +194,6 @@ static inline bool lim_texture_is_masked(const LIM_FLASH struct lim_texture *tex
 static inline bool lim_texture_is_sky(const LIM_FLASH struct lim_texture *texture)
 {
     return LIM_HAS_SKY && texture->place_bits & LIM_TEXTURE_SKY;
-}
-
-/* All of its sizes, as a number to compare; at least one is not 0. */
-typedef uint32_t __attribute__((may_alias)) lim_texture_word;
-static inline uint32_t lim_texture_sizes(const LIM_FLASH struct lim_texture *texture)
-{
-    return *(const LIM_FLASH lim_texture_word *)&texture->w_bits;
 }
 
 /* A colour as the target's memory holds it, in a constant: lim_memory_colour(). */
