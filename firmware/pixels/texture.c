@@ -337,12 +337,14 @@ static void set_planes(const struct lim_texturing *texturing, const struct seen 
 }
 
 /* lim_screen_polygon.texture, of a scene, and the words that are there. */
-static inline uint16_t mapping_of(const struct lim_scene *scene, uint16_t number, const LIM_FLASH lim_index *words)
+static inline uint16_t number_of_mapping(const struct lim_scene *scene, uint16_t number,
+                                         const LIM_FLASH lim_index *words)
 {
     return lim_mappings_name_textures(scene) ? number : (uint16_t)words[1];
 }
 
-static inline uint16_t texture_of(const struct lim_scene *scene, uint16_t number, const LIM_FLASH lim_index *words)
+static inline uint16_t number_of_texture(const struct lim_scene *scene, uint16_t number,
+                                         const LIM_FLASH lim_index *words)
 {
     return lim_mappings_name_textures(scene) ? LIM_MAPPING_TEXTURE(&scene->mappings[number]) : (uint16_t)words[0];
 }
@@ -355,8 +357,8 @@ void lim_texture_set(const struct lim_texturing *texturing, uint16_t number, con
     struct seen seen;
 
     const struct lim_scene *const scene = texturing->scene;
-    const LIM_FLASH struct lim_mapping *const mapping = &scene->mappings[mapping_of(scene, number, words)];
-    out->texture = &scene->textures[texture_of(scene, number, words)];
+    const LIM_FLASH struct lim_mapping *const mapping = &scene->mappings[number_of_mapping(scene, number, words)];
+    out->texture = &scene->textures[number_of_texture(scene, number, words)];
     if (LIM_HAS_SKY && lim_texture_is_sky(out->texture)) {
         lim_sky_set(texturing, mapping, out);
         return;
