@@ -341,13 +341,13 @@ static void set_planes(const struct lim_texturing *texturing, const struct seen 
 static inline uint16_t number_of_mapping(const struct lim_scene *scene, uint16_t number,
                                          const LIM_FLASH lim_index *words)
 {
-    return lim_mappings_name_textures(scene) ? number : (uint16_t)words[1];
+    return (uint16_t)(lim_mappings_name_textures(scene) ? number : words[1]);
 }
 
 static inline uint16_t number_of_texture(const struct lim_scene *scene, uint16_t number,
                                          const LIM_FLASH lim_index *words)
 {
-    return lim_mappings_name_textures(scene) ? LIM_MAPPING_TEXTURE(&scene->mappings[number]) : (uint16_t)words[0];
+    return (uint16_t)(lim_mappings_name_textures(scene) ? LIM_MAPPING_TEXTURE(&scene->mappings[number]) : words[0]);
 }
 
 void lim_texture_set(const struct lim_texturing *texturing, uint16_t number, const struct lim_point *at, uint8_t n,
