@@ -87,10 +87,11 @@ static uint32_t bands_of(size_t count, const struct core *core, const struct sim
     return found.stats.bands;
 }
 
-/* As many as an MCU's cache of vertices holds, whatever the tree and the lines above add. */
+/* As many as the cache of vertices holds, whatever the tree and the lines above add: each as large as it is where
+ * masked textures are linked as well, as they are here. */
 static void as_many_as_idle_memory_holds_are_blended_at_once(void **state)
 {
-    const size_t held = MCU_CACHE_ENTRIES * (size_t)MCU_CACHED_B / MCU_LAYER_B;
+    const size_t held = MCU_CACHE_ENTRIES * (size_t)MCU_CACHED_B / sizeof(struct lim_layer);
     uint16_t layers;
 
     (void)state;
