@@ -83,7 +83,7 @@ struct lim_texture_even {
     uint32_t place, y; /* of pixel (0, 0), and what a pixel down adds */
 };
 
-enum { LIM_EVEN_SKY = 2 };
+enum { LIM_PACE_SKY = 255 }; /* lim_gradients.pace of a sky, for which is_even stands, too */
 struct lim_texture_sky {
     int32_t times, horizon_q16; /* round the eye; from the picture's top, in its widths */
 };
@@ -103,10 +103,10 @@ struct lim_gradients {
     lim_texels_painter *paint;                   /* what paints its width */
     struct lim_texture_level level;              /* the last one that was shown */
     const LIM_FLASH struct lim_texture *texture; /* NULL: of one colour */
-    uint8_t is_even;                             /* LIM_EVEN_SKY: by sky.h */
-    int8_t shift;                                /* of planes: makes up for the factors, 31 at most */
-    uint8_t slope_zeros;                         /* leading zeros of |depth.x| */
-    uint8_t pace; /* of stretches (lim_texture_pace()), whatever the line; 0: each line has its own */
+    bool is_even;
+    int8_t shift;        /* of planes: makes up for the factors, 31 at most */
+    uint8_t slope_zeros; /* leading zeros of |depth.x| */
+    uint8_t pace;        /* of stretches (lim_texture_pace()), whatever the line; 0: each line has its own */
     union {
         struct lim_texture_even even;
         struct lim_texture_planes planes;

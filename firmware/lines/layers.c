@@ -50,7 +50,9 @@ void lim_layers_push(struct lim_layers *layers, const struct lim_spans *spans, c
         if (x0 < x1) {
             layers->exhausted = layers->used == layers->size;
             if (layers->exhausted) return;
-            lim_layers_put(layers, x0, x1, piece->colour, piece->alpha);
+            layers->pool[layers->used++] =
+                (struct lim_layer){.x0 = x0, .x1 = x1, .colour = piece->colour, .alpha = piece->alpha};
+            if (LIM_HAS_MASKED) lim_layers_note(layers);
         }
         if (gap->next == LIM_NONE || gap->x1 >= piece->x1) return;
     }

@@ -31,16 +31,10 @@ static inline void lim_layers_mask(struct lim_layers *layers, struct lim_gradien
     *layers->masked = (struct lim_masked){gradients, left, right};
 }
 
-/* The next one, for which there is room. */
-static inline void lim_layers_put(struct lim_layers *layers, uint16_t x0, uint16_t x1, uint16_t colour, uint8_t alpha)
+/* Of the piece that was pushed last. */
+static inline void lim_layers_note(struct lim_layers *layers)
 {
-    struct lim_layer *const layer = &layers->pool[layers->used++];
-
-    layer->x0 = x0;
-    layer->x1 = x1;
-    layer->colour = colour;
-    layer->alpha = alpha;
-    if (LIM_HAS_MASKED) *layer->masked = *layers->masked;
+    *layers->pool[layers->used - 1].masked = *layers->masked;
 }
 
 /* What of its pixels a polygon of this alpha changes: where its texels are not clear, all. */

@@ -154,7 +154,8 @@ static LIM_IF_CALLED void push_layers(struct lim_paint *paint, const struct lim_
     const struct lim_layer piece = {.x0 = left > 0 ? (uint16_t)left : 0,
                                     .x1 = right > 0 ? (uint16_t)right : 0,
                                     .colour = cells[1].look.colour,
-                                    .alpha = lim_layers_alpha(paint->layers, lim_retained_alpha(cells))};
+                                    .alpha = LIM_HAS_MASKED ? lim_layers_alpha(paint->layers, lim_retained_alpha(cells))
+                                                            : lim_retained_alpha(cells)};
 
     if (!paint->layers->exhausted) lim_layers_push(paint->layers, spans, open, &piece);
 }

@@ -128,7 +128,8 @@ void lim_sky_set(const struct lim_texturing *texturing, const LIM_FLASH struct l
 
     while (level + 1 < texture->levels && texels >> level > FINER_Q16)
         level++;
-    out->is_even = LIM_EVEN_SKY;
+    out->is_even = true;
+    out->pace = LIM_PACE_SKY;
     out->sky.times = times;
     out->sky.horizon_q16 = 2 * (int32_t)mapping->at_zero_q16[1];
     lim_texture_set_level(texturing->scene, level, out);

@@ -315,6 +315,7 @@ static bool set_even(const struct lim_texturing *texturing, const struct seen *s
     out->even.place = (place[0] << 16 | (uint16_t)place[1]) - out->level.step * (uint32_t)around->x -
                       out->even.y * (uint32_t)around->y;
     lim_texture_set_level(texturing->scene, level, out);
+    if (LIM_HAS_SKY) out->pace = 0; /* it is no sky */
     return true;
 }
 

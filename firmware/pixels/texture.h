@@ -72,7 +72,7 @@ static inline void lim_texture_fill(const struct lim_textured_span *span, uint16
     const struct lim_gradients *const gradients = span->gradients;
 
     if (gradients->is_even) {
-        if (LIM_HAS_SKY && gradients->is_even == LIM_EVEN_SKY) {
+        if (LIM_HAS_SKY && gradients->pace == LIM_PACE_SKY) {
             lim_sky_fill(span, pixels, x0, x1);
             return;
         }

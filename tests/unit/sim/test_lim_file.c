@@ -117,7 +117,7 @@ static void the_file_is_little_endian(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 10, 0, 0, 0, 144, 0, 0, 0};
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 11, 0, 0, 0, 144, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
     assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
@@ -138,7 +138,7 @@ static void swapping_reverses_fields_and_undoes_itself(void **state)
     lim_image_swap_sections(bytes, &header);
     lim_image_swap_header(bytes);
     assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
-    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 10, 0, 0, 0, 144}), 8);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 11, 0, 0, 0, 144}), 8);
     const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
     const struct lim_plane *first = &scene.scene.planes[0];
     assert_int_equal((int16_t)(plane[2] << 8 | plane[3]), lim_plane_x(first));
