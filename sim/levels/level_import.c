@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * From a path to faces: floors and ceilings by sectors, walls by lines. What has no height has no faces: a closed door
- * is the walls round it. The sky is a ceiling in its mean colour, so that nothing is seen through it. */
+ * is the walls round it. The sky is a ceiling, so that nothing is seen through it. */
 #include "levels/level_import.h"
 
 #include "base/grow.h"

@@ -206,6 +206,12 @@ sed 's/quarters.mtl/masked.mtl/' quarters.obj >masked.obj
 tap_check 'so is that of a mask' notes 'texture mask.png: its transparency is not drawn; faces that it belongs to: 1$' masked.obj
 alpha_modes_with clear.png >modes.gltf
 tap_check 'and in glTF that of what is not OPAQUE, but for a mask of which texels are clear' notes 'texture clear.png: its transparency is not drawn; faces that it belongs to: 3$' modes.gltf
+holes_are_as_they_were() { # METHOD
+    timeout 120 "$limner" render "$models/holes.obj" --camera "$models/holes.cam" --sky heaven --size 96x72 --method "$1" --check "$models/holes.hashes"
+}
+for method in nearest painter; do
+    tap_check "$method: bars before a sky are what they were" holes_are_as_they_were $method
+done
 holes
 (flat_quarters | sed '/^usemtl green/,/^f/d' && wall_behind) >around.obj
 yellow >>flat.mtl
