@@ -127,6 +127,13 @@ struct lim_masked {
     int16_t left, right;
 };
 
+/* The same of a piece that waits: `at` is where the mapping lies behind lim_layers.own, in bytes; 0: it has a colour. A
+ * pointer would want more than the words that memory is cut up in. */
+struct lim_masked_layer {
+    int32_t at;
+    int16_t left, right;
+};
+
 LIM_OPTIONAL_BEGIN
 
 /* A piece of a line that waits for what lies behind it. */
@@ -134,7 +141,7 @@ struct lim_layer {
     uint16_t x0, x1; /* x0 <= x < x1 */
     uint16_t colour; /* as it lies in memory */
     uint8_t alpha;   /* of a masked texture, how many samples of each pixel its polygon has, as a part of 255 */
-    LIM_OPTIONAL(struct lim_masked, masked, LIM_HAS_MASKED);
+    LIM_OPTIONAL(struct lim_masked_layer, masked, LIM_HAS_MASKED);
 };
 
 LIM_OPTIONAL_END

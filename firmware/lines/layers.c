@@ -103,9 +103,9 @@ static LIM_IF_CALLED void mix_masked(const struct lim_textured_span *span, uint1
 static LIM_IF_CALLED void fill_masked(const struct lim_layers *layers, const struct lim_layer *layer, uint16_t *line,
                                       struct lim_stats *stats)
 {
-    const struct lim_masked *const masked = layer->masked;
-    const struct lim_textured_span span = {*layers->texturing, masked->gradients, *layers->y, masked->left,
-                                           masked->right};
+    const struct lim_masked_layer *const masked = layer->masked;
+    void *const gradients = (uint8_t *)layers->own + masked->at;
+    const struct lim_textured_span span = {*layers->texturing, gradients, *layers->y, masked->left, masked->right};
 
     if (!LIM_HAS_ANTIALIAS || layer->alpha == LIM_OPAQUE) {
         lim_texture_fill(&span, line, layer->x0, layer->x1, stats);
@@ -125,7 +125,7 @@ bool lim_layers_finish(struct lim_layers *layers, uint16_t *line, struct lim_sta
     if (LIM_HAS_STATS && layers->used > stats->layers_max) stats->layers_max = layers->used;
     while (layers->used) {
         const struct lim_layer *layer = &layers->pool[--layers->used];
-        if (LIM_HAS_MASKED && layer->masked->gradients)
+        if (LIM_HAS_MASKED && layer->masked->at)
             fill_masked(layers, layer, line, stats);
         else
             lim_blend(line, layer->x0, (uint16_t)(layer->x1 - layer->x0), layer->colour, layer->alpha);

@@ -47,7 +47,11 @@ static inline void lim_layers_mask(struct lim_layers *layers, struct lim_gradien
 /* Of the piece that was pushed last. */
 static inline void lim_layers_note(struct lim_layers *layers)
 {
-    *layers->pool[layers->used - 1].masked = *layers->masked;
+    const struct lim_masked *const masked = layers->masked;
+    const uint8_t *const at = (const uint8_t *)masked->gradients;
+
+    *layers->pool[layers->used - 1].masked =
+        (struct lim_masked_layer){at ? (int32_t)(at - (const uint8_t *)layers->own) : 0, masked->left, masked->right};
 }
 
 /* What of its pixels a polygon of this alpha changes: where its texels are not clear, all. */
