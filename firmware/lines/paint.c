@@ -259,7 +259,7 @@ static inline void begin_sink(struct sink *sink, const struct lim_paint *paint, 
 /* Panes, or masked textures, which do not count as transparent. */
 static inline bool may_have_layers(const struct lim_retained *retained)
 {
-    return LIM_HAS_TRANSPARENT && (retained->transparent || (LIM_HAS_MASKED && retained->textured));
+    return retained->transparent || (LIM_HAS_MASKED && retained->textured);
 }
 
 static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
@@ -279,7 +279,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     begin_sink(&sink, paint, y, use);
     if (LIM_HAS_MASKED) lim_layers_begin(paint->layers, paint->pass->texturing, y);
     lim_actives_count(&paint->actives, spans, stats, y);
-    if (may_have_layers(retained)) lim_layers_open(paint->layers, &paint->actives, spans, y);
+    if (LIM_HAS_TRANSPARENT && may_have_layers(retained)) lim_layers_open(paint->layers, &paint->actives, spans, y);
     lim_spans_reset_pool(spans);
     paint_polygons(paint, spans, retained, &open, y, &sink);
     paint_background(spans, &open, paint, &sink);
