@@ -47,19 +47,9 @@ static const struct command {
                 {"wad", cmd_wad, false},
                 {"walk", cmd_walk, true}};
 
-/* Of an option at argv[*i], which `argument` follows or is the next one; *i moves with that. NULL: it is another. */
-static const char *argument_of(const char *option, int argc, char **argv, int *i)
-{
-    const size_t length = strlen(option);
-    if (strncmp(argv[*i], option, length) != 0) return NULL;
-    if (argv[*i][length] == '=') return argv[*i] + length + 1;
-    return argv[*i][length] == '\0' && *i + 1 < argc ? argv[++*i] : NULL;
-}
-
-/* --trust-paths, --no-textures and --sky, which mean the same to all commands that read models, are taken out. */
+/* --trust-paths and --no-textures, which mean the same to all commands that read models, are taken out. */
 static int take_common(int argc, char **argv)
 {
-    const char *sky;
     int kept = 0;
     bool is_option = true;
     for (int i = 0; i < argc; i++) {
@@ -68,8 +58,6 @@ static int take_common(int argc, char **argv)
             companions_trust();
         else if (is_option && strcmp(argv[i], "--no-textures") == 0)
             pictures_leave_out();
-        else if (is_option && (sky = argument_of("--sky", argc, argv, &i)))
-            pictures_set_sky(sky);
         else
             argv[kept++] = argv[i];
     }
@@ -105,12 +93,16 @@ static int help_with(const char *name)
     return usage_print_command(name, stdout) ? EXIT_SUCCESS : no_command(name);
 }
 
-/* --texture-budget, which does, too. */
-static bool take_budget(const struct command *command, struct arguments *arguments, struct error *err)
+/* --sky and --texture-budget, which do, too. */
+static bool take_of_textures(const struct command *command, struct arguments *arguments, struct error *err)
 {
-    const char *text = NULL;
-    if (!command->is_long || !arguments_value(arguments, "--texture-budget", &text, err)) return !command->is_long;
-    return !text || texture_budget_parse(text, err);
+    const char *sky = NULL, *budget = NULL;
+    if (!command->is_long) return true;
+    if (!arguments_value(arguments, "--sky", &sky, err) ||
+        !arguments_value(arguments, "--texture-budget", &budget, err))
+        return false;
+    if (sky) pictures_set_sky(sky);
+    return !budget || texture_budget_parse(budget, err);
 }
 
 /* The time runs from here. */
@@ -128,7 +120,7 @@ static int run_command(const struct command *command, int argc, char **argv)
 {
     struct arguments arguments = {argv, command->is_long ? take_common(argc, argv) : argc};
     struct error err;
-    if (take_budget(command, &arguments, &err) && begin_time(command, &arguments, &err))
+    if (take_of_textures(command, &arguments, &err) && begin_time(command, &arguments, &err))
         return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);
     return EXIT_FAILURE;
