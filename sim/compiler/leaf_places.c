@@ -7,7 +7,6 @@
 #include "base/grow.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
-#include "limner.h"
 #include "render/frame_cost.h"
 #include "render/simulator.h"
 
@@ -65,16 +64,14 @@ static bool add_costs(struct places *places, struct viewpoint viewpoint, double 
     for (int i = 0; i < BOTH; i++) {
         struct simulator *simulator = &places->simulators[i];
         if (!simulator_frame(simulator, &camera, &ignored)) return false;
-        const struct lim_stats *stats = simulator_stats(simulator);
-        frame[i] = frame_cost_m0plus(stats, &simulator->target);
-        if (lim_texture_count(simulator->scene)) frame[i] += frame_cost_textures_m0plus(stats, &simulator->target);
+        frame[i] = frame_cost_of_scene_m0plus(simulator_stats(simulator), &simulator->target, simulator->scene);
     }
     for (int i = 0; i < BOTH; i++)
         instructions[i] += frame[i];
     return true;
 }
 
-/* Eyes and what they look at are in the part's box, or round it. */
+/* Eyes are in the part's box or round it; they look at something in it. */
 static void look_near(struct sampler *sampler, const struct part *part)
 {
     const struct grid *grid = &sampler->scene->grid;

@@ -91,9 +91,7 @@ static void note(struct usage *usage, const struct simulator *simulator)
     usage->active[i] = stats->active_max;
     usage->shared[i] = within(pool_search_shared_b(simulator, &usage->memory) / SHARED_UNIT_B + 1);
     usage->runs[i] = stats->delta.runs_max;
-    usage->instructions += frame_cost_m0plus(stats, &simulator->target);
-    if (lim_texture_count(simulator->scene))
-        usage->instructions += frame_cost_textures_m0plus(stats, &simulator->target);
+    usage->instructions += frame_cost_of_scene_m0plus(stats, &simulator->target, simulator->scene);
     usage->reached += stats->polygons;
     usage->seen += stats->polygons_seen;
     usage->splits += stats->newell.splits;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Other trees are better where the BSP tree splits much, or where its frames reach many polygons of which nothing is
- * seen: its planes may divide far places first. By default that is where they are tried. One whole compilation for each
- * kind, pools included, because these draw the cameras. */
+ * seen. By default that is where they are tried. One whole compilation for each kind, pools included, because these
+ * draw the cameras. */
 #include "compiler/tree_choice.h"
 
 #include "base/deadline.h"

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
 # Builds sim/tools/doom_view.c with Doom's own renderer: sh sim/tools/doom.sh PROGRAM. Its sources are those of Debian's package
-# chocolate-doom, which apt fetches and checks, by a list of sources and a state of its own: the system's stay as they are. They lie outside of
-# the project, for the next clone as well; nothing of them enters it. SDL's place is taken by a few lines, as nothing is shown.
+# chocolate-doom. apt fetches and checks them from where the system's packages come from, by a list of sources and a state of its own: the
+# system's stay as they are. They lie outside of the project, for the next clone as well; nothing of them enters it. SDL's place is taken by a
+# few lines, as nothing is shown.
 # -O2, as for all that is counted here.
 set -eu
 
@@ -26,7 +27,9 @@ apt() {
 fetch() {
     command -v apt-get >/dev/null || fail "chocolate-doom's sources come from Debian, by apt-get, which is not here"
     mkdir -p "$work/lists/partial" "$work/cache/archives/partial" "$work/source" "$(dirname "$folder")"
-    echo 'deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian bookworm main' >"$work/sources.list"
+    place=$(apt-get indextargets --format '$(REPO_URI)' 'Codename: bookworm' 'Component: main' | head -n 1)
+    [ -n "$place" ] || fail "apt knows no place that has Debian 12's packages"
+    echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $place bookworm main" >"$work/sources.list"
     apt update || fail "the list of Debian's sources cannot be fetched"
     (cd "$work" && apt source --download-only "chocolate-doom=$version") || fail "chocolate-doom $version cannot be fetched"
     tar xzf "$work/chocolate-doom_${version%-*}.orig.tar.gz" -C "$work/source" --strip-components=1

@@ -181,7 +181,7 @@ tap_check 'what is resized is noted' notes 'texture bricks.png: 120x90 pixels, r
 sed 's/quarters.png/none.png/' quarters.mtl >none.mtl
 sed 's/quarters.mtl/none.mtl/' quarters.obj >none.obj
 refuses_texture() { # REASON
-    for command in compile render measure; do
+    for command in compile render 'measure --no-cost'; do
         "$limner" $command none.obj -o never 2>said && return 1
         cat said
         grep -qx "limner: none.obj: texture none.png: $1.*; --no-textures does without" said || return 1
