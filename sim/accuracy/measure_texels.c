@@ -21,7 +21,8 @@ struct taking {
     struct straight_run *run;
 };
 
-/* What the reference sees at a pixel of a record's face; NULL: another face, or no texture. */
+/* What the reference sees at a pixel of a record's face; NULL: another face, no texture, or a sky, which lies on no
+ * face. */
 static const struct mapping *mapping_at_pixel(const struct texel_frame *frame, size_t number, size_t pixel)
 {
     const struct reference *reference = frame->reference;
@@ -29,7 +30,8 @@ static const struct mapping *mapping_at_pixel(const struct texel_frame *frame, s
     if (!number || frame->ids->numbers[pixel] != number || !mapping) return NULL;
     if (number > frame->scene->scene.polygon_count) return NULL; /* something that moves */
     if (frame->groups[seen] != frame->groups[frame->scene->faces[number - 1]]) return NULL;
-    return &frame->mesh->mappings[mapping];
+    const struct mapping *shown = &frame->mesh->mappings[mapping];
+    return frame->mesh->textures[shown->texture].sky.times ? NULL : shown;
 }
 
 static void true_place(const struct texel_frame *frame, const struct mapping *mapping, size_t pixel, double uv[2])
@@ -96,7 +98,7 @@ static void add_painted(struct texel_errors *errors, const struct texel_frame *f
     const struct painted_texel *shown = &frame->texels->pixels[pixel];
     const double level = floor(texel_level_at(frame->reference, pixel, mapping, texture, pixel_area) + 0.5);
     double uv[2], out[2];
-    if (shown->level >= texture->levels) return;
+    if (texture->is_masked || shown->level >= texture->levels) return; /* texels 0 say nothing: they are holes */
     true_place(frame, mapping, pixel, uv);
     for (int i = 0; i < 2; i++) {
         const double side = side_of(texture, i, shown->level), middle = ((i ? shown->y : shown->x) + 0.5) / side;
