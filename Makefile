@@ -88,10 +88,12 @@ packages-predictions    := $(packages-models)
 packages-compare       := gcc-arm-none-eabi qemu-system-arm
 packages-bench         := $(packages-tradeoff) $(packages-models) freedoom valgrind
 packages-bench-baseline := $(packages-bench)
-packages-boards        := sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
+packages-boards        := freedoom sigrok-cli $(shell sed -n 's/^\(EMULATE_\|RULES_\)\{0,1\}PACKAGES *:= *//p' boards/*/board.mk)
 packages-methods        := gcc-arm-none-eabi qemu-system-arm freedoom $(packages-models)
 packages-delta-cost    := gcc-arm-none-eabi qemu-system-arm
 packages-overlay-cost  := gcc-arm-none-eabi qemu-system-arm
+packages-doom           := freedoom valgrind
+packages-texels          := gcc-arm-none-eabi qemu-system-arm freedoom
 packages-walk-cost       := gcc-arm-none-eabi qemu-system-arm freedoom
 packages-tables        := $(foreach table,$(TABLES),$(packages-$(table)))
 packages-test          := ccache $(foreach suite,$(suites),$(packages-$(suite)))
@@ -367,7 +369,7 @@ suite-arm64     := tests/arm64.sh
 suite-slow      := $(suite-prove) $(patsubst %,tests/%.sh,sanitize_scenes cross_cplusplus \
 	$(addprefix arm/arm_,footprint balance compare splitters) \
 	$(addprefix cpus/cpus_,rooms sorted wireframe begin m33 lx106 assert movers antialias glass cplusplus config) \
-	$(addprefix boards/boards_,frames card pico esp32c3 stm32) $(addprefix export/export_,plain size) \
+	$(addprefix boards/boards_,frames card level pico esp32c3 stm32) $(addprefix export/export_,plain size) \
 	$(addprefix cli/cli_,compare scale packages trees))
 suite-extremes  := tests/cli/cli_extremes.sh
 suite-soak      := $(filter $(BUILD)/tests/soak_%,$(test_programs))
@@ -378,7 +380,18 @@ $(BUILD)/tests/boards/walked: $(BUILD)/host/tests/boards/walked.o $(library)
 	@echo "LD $@"
 	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
 
+# And what they do in maps of Doom: another walker comes before the library's.
+$(BUILD)/host/tests/boards/player.o: boards/common/walker.c $(BUILD)/host/flags
+	@mkdir -p $(@D)
+	@$(CCACHE) $(CC) @$(BUILD)/host/flags -DBOARD_PLAYER=1 -c -o $@ $<
+
+$(BUILD)/tests/boards/walked_level: $(BUILD)/host/tests/boards/walked.o $(BUILD)/host/tests/boards/player.o $(library)
+	@mkdir -p $(@D)
+	@echo "LD $@"
+	@$(CC) $(HOST_OPT) -o $@ $^ $(LINKS)
+
 tests/boards/boards_lm3s6965evb.sh: $(BUILD)/tests/boards/walked
+tests/boards/boards_level.sh: $(BUILD)/tests/boards/walked_level
 
 tests/export/export_arduino.sh: $(BUILD)/simavr_oled
 

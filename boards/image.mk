@@ -3,10 +3,13 @@
 # Builds the image of one board: `make BOARD=bluepill [SCENE=MODEL] [PANEL=NAME] [PRECISION=NAME]`. The board's folder
 # says what it is (board.mk); all of that, and what is below, can be said otherwise on make's command line:
 #   SCENE      a model's file, or the name of one in sim/scenes    CAMERA   its path (beside it, or round the model)
+#              FILE.wad:MAP: a map of Doom; where FILE is no path and not here, it is Debian's, in /usr/share/games/doom, and Freedoom is
+#              installed after asking. Its path is sim/scenes/FILE-MAP.cam, or a walk by `limner walk`
 #              test-card: the board's self-test, the card and then a solid that turns; CARD_MS: how long it stays (3000; 100 to emulate)
 #   PANEL      the display's chip    MODULE   options of its module: limner help, play: --size 128x128 --rotate 90
 #   STREAM     yes: two renderers, of which one finds out what is seen while the other's frame is sent; no; auto: if both
 #              have room    LINES  of pixels in RAM, at most
+#   PLAYER     yes: who walks with buttons is as large and as fast as Doom's player; no: as suits rooms (maps: yes)
 #   WALLS      yes: who walks with buttons is stopped by walls; no: passes through, and none of that is linked
 #   PRECISION  draft, fast, fine, exact    COMPILE   other options of `limner compile`: --wireframe --delta
 #              --overlay: frames show their number
@@ -36,7 +39,7 @@ MODULE :=
 endif
 endif
 
-packages-board    = $(PACKAGES)
+packages-board    = $(PACKAGES) $(if $(freedoom),freedoom)
 packages-flash    = $(FLASH_PACKAGES)
 packages-emulate  = $(EMULATE_PACKAGES)
 packages-cost     = $(EMULATE_PACKAGES)
@@ -50,12 +53,27 @@ CARD_MS := $(if $(filter emulate,$(MAKECMDGOALS)),100,3000)
 no_digits = $(subst 0,,$(subst 1,,$(subst 2,,$(subst 3,,$(subst 4,,$(subst 5,,$(subst 6,,$(subst 7,,$(subst 8,,$(subst 9,,$(1)))))))))))
 $(if $(or $(call no_digits,$(CARD_MS)),$(if $(CARD_MS),,none)),$(error CARD_MS=$(CARD_MS): must be a whole number of milliseconds))
 scene   := $(if $(CARD),icosahedron,$(SCENE))
-model   := $(firstword $(wildcard $(scene)) $(wildcard sim/scenes/$(scene).obj) $(wildcard sim/scenes/$(scene).gltf) \
+
+# FILE.wad:MAP or FILE.wad+FILE.wad:MAP. What make waits for are the files: it knows no colon in a name.
+map        := $(if $(findstring .wad:,$(scene))$(findstring .WAD:,$(scene)),$(lastword $(subst :, ,$(scene))))
+wad_folder := /usr/share/games/doom
+wads       := $(foreach wad,$(if $(map),$(subst +, ,$(scene:%:$(map)=%))),$(if $(findstring /,$(wad))$(wildcard $(wad)),$(wad),$(wad_folder)/$(wad)))
+freedoom   := $(filter $(addprefix $(wad_folder)/,freedoom1.wad freedoom2.wad),$(wads))
+$(foreach wad,$(filter-out $(freedoom),$(wads)),$(if $(wildcard $(wad)),,$(error SCENE=$(SCENE): there is no $(wad))))
+plus       := +
+level      := $(subst $() ,$(plus),$(wads)):$(map)
+PLAYER     := $(if $(map),yes,no)
+
+model   := $(firstword $(if $(map),$(level)) $(wildcard $(scene)) $(wildcard sim/scenes/$(scene).obj) $(wildcard sim/scenes/$(scene).gltf) \
 	$(filter $(BUILD)/scenes/$(scene).obj,$(demo)) $(filter $(BUILD)/scenes/$(scene)/$(scene).obj,$(textured)))
 $(if $(model),,$(error there is no scene $(SCENE): neither a file nor a name in sim/scenes, nor demo, textured or test-card))
-CAMERA  = $(filter $(basename $(model)).cam,$(demo) $(textured) $(wildcard $(basename $(model)).cam))
-$(foreach path,$(CAMERA),$(if $(or $(wildcard $(path)),$(filter $(path),$(demo) $(textured))),,$(error there is no camera path $(path))))
-name    := $(or $(CARD),$(basename $(notdir $(model))))-$(subst :,-,$(PANEL))-$(PRECISION)
+# What the scene is made from, if that is a file that make knows.
+sources_of_model := $(or $(wads),$(model))
+stem    := $(or $(CARD),$(if $(map),$(subst $() ,-,$(basename $(notdir $(wads))))-$(map),$(basename $(notdir $(model)))))
+walk     = $(folder)/walk.cam
+CAMERA  = $(if $(map),$(or $(wildcard sim/scenes/$(stem).cam),$(walk)),$(filter $(basename $(model)).cam,$(demo) $(textured) $(wildcard $(basename $(model)).cam)))
+$(foreach path,$(filter-out %/walk.cam,$(CAMERA)),$(if $(or $(wildcard $(path)),$(filter $(path),$(demo) $(textured))),,$(error there is no camera path $(path))))
+name    := $(stem)-$(subst :,-,$(PANEL))-$(PRECISION)
 BOARDS  := $(BUILD)/boards
 folder  := $(BOARDS)/$(BOARD)/$(name)
 IMAGE   := $(folder)/image
@@ -76,16 +94,24 @@ card_flags   = $(if $(CARD),-DBOARD_CARD=1 -DBOARD_CARD_MS=$(CARD_MS))
 # What a file is made from, so that it is made anew when that changes.
 $(folder)/choice: force
 	@mkdir -p $(@D) $(common)
-	@echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(WALLS) $(card_flags)' | cmp -s - $@ || \
-		echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(WALLS) $(card_flags)' > $@
+	@echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(WALLS) $(PLAYER) $(card_flags)' | cmp -s - $@ || \
+		echo '$(PANEL) $(MODULE) $(PRECISION) $(model) $(CAMERA) $(COMPILE) $(STREAM) $(WALLS) $(PLAYER) $(card_flags)' > $@
 
 $(folder)/module.c: $(folder)/choice $(BUILD)/limner
 	@$(BUILD)/limner module --panel $(PANEL) $(MODULE) -o $(folder)/module
 
-$(folder)/model.lim: $(folder)/module.c $(model) $(BUILD)/limner
+# Made by installing its package.
+$(freedoom): | packages ;
+
+$(folder)/model.lim: $(folder)/module.c $(sources_of_model) $(BUILD)/limner
 	@echo "SCENE $(model)"
 	@rm -f $(folder)/model*.c $(folder)/model*.o
 	@$(BUILD)/limner compile $(model) -o $(folder)/model $(options) --panel $(PANEL) $(COMPILE) > $(folder)/report
+
+$(walk): $(wads) $(BUILD)/limner
+	@mkdir -p $(@D)
+	@echo "WALK $(model)"
+	@$(BUILD)/limner walk $(model) -o $@
 
 $(folder)/cameras.h: $(folder)/model.lim $(CAMERA)
 	@$(BUILD)/limner render $(folder)/model.lim $(addprefix --camera ,$(CAMERA)) --size $(picture_size) --write-cameras $@
@@ -95,7 +121,7 @@ $(folder)/cameras.h: $(folder)/model.lim $(CAMERA)
 board_flags = $(STANDARD) $(ARCH) $(OPT) $(WARNINGS) -ffunction-sections -fdata-sections $(FRAMES) -MMD -MP \
 	-DBOARD_LINES=$(LINES) $(DEFINES) -Ifirmware -Ihal -Iboards/common -I$(board_folder)
 image_flags = -I$(folder) -DLIM_CONFIG='"model.h"' $(stream_flags) $(card_flags) $(walls_flags)
-walls_flags  = -DBOARD_WALLS=$(if $(filter no,$(WALLS)),0,1)
+walls_flags  = -DBOARD_WALLS=$(if $(filter no,$(WALLS)),0,1) -DBOARD_PLAYER=$(if $(filter no,$(PLAYER)),0,1)
 stream_flags = $(if $(filter no,$(STREAM)),,-DSCREEN_STREAMS=1 -DSCENE_RENDERERS=2)
 
 board_sources := $(wildcard hal/*.c) $(SOURCES) $(START)
@@ -230,7 +256,7 @@ cost: image $(CHECK) $(EMULATOR) $(BUILD)/count_plugin.so ## [board] BOARD=NAME:
 	$(LIVE)mkdir -p $(PICTURES)
 	$(LIVE)$(EMULATE) > $(folder)/emulated
 	$(LIVE)$(if $(QEMU),$(COUNTED) > $(folder)/counted)
-	$(LIVE)sh boards/cost.sh $(folder) '$(TITLE) | $(basename $(notdir $(model))), $(PRECISION) | $(PANEL), $(module_size)' \
+	$(LIVE)sh boards/cost.sh $(folder) '$(TITLE) | $(stem), $(PRECISION) | $(PANEL), $(module_size)' \
 		$(CPU_HZ) $(SPI_HZ)
 
 -include $(patsubst %.o,%.d,$(board_objects) $(image_objects))

@@ -22,6 +22,9 @@ LIM_STATIC_ASSERT(!(LIM_HAS_LIGHT || LIM_HAS_DEFORM) || LIM_HAS_MOVERS,
 LIM_STATIC_ASSERT(!LIM_HAS_WIDE || SIZE_MAX > 0xFFFF,
                   "LIM_HAS_WIDE: a processor whose sizes have 16 bits has no room for such a scene");
 LIM_STATIC_ASSERT(!LIM_HAS_LARGE || LIM_HAS_SLANTED, "LIM_HAS_LARGE needs LIM_HAS_SLANTED");
+LIM_STATIC_ASSERT(!LIM_HAS_MASKED || (LIM_HAS_TEXTURE && LIM_HAS_TRANSPARENT),
+                  "LIM_HAS_MASKED needs LIM_HAS_TEXTURE and LIM_HAS_TRANSPARENT");
+LIM_STATIC_ASSERT(!LIM_HAS_SKY || LIM_HAS_TEXTURE, "LIM_HAS_SKY needs LIM_HAS_TEXTURE");
 LIM_STATIC_ASSERT(!LIM_HAS_ANTIALIAS || LIM_HAS_SPANS, "LIM_HAS_ANTIALIAS needs an order that paints nearest first");
 LIM_STATIC_ASSERT(!LIM_HAS_FILL || LIM_HAS_NEAREST || LIM_HAS_CONVEX,
                   "LIM_HAS_FILL needs LIM_HAS_NEAREST or LIM_HAS_CONVEX");
@@ -92,6 +95,8 @@ LIM_STATIC_ASSERT(LIM_MAX_VERTICES >= 3 && LIM_MAX_VERTICES <= 250, "LIM_MAX_VER
     LIM_AGREED(LIM_HAS_MESH_LEAVES, ".mesh_leaves")                                                                    \
     LIM_AGREED(LIM_HAS_TRANSPARENT, ".transparent")                                                                    \
     LIM_AGREED(LIM_HAS_TEXTURE, ".texture")                                                                            \
+    LIM_AGREED(LIM_HAS_MASKED, ".masked")                                                                              \
+    LIM_AGREED(LIM_HAS_SKY, ".sky")                                                                                    \
     LIM_AGREED(LIM_HAS_WIREFRAME, ".wireframe")                                                                        \
     LIM_AGREED(LIM_HAS_ANTIALIAS, ".antialias")                                                                        \
     LIM_AGREED(LIM_HAS_DELTA, ".delta")                                                                                \

@@ -191,27 +191,30 @@
 #ifndef LIM_HAS_TEXTURE
 #define LIM_HAS_TEXTURE 1
 #endif
-
+/* Textures of which some texels are clear. */
+#ifndef LIM_HAS_MASKED
+#define LIM_HAS_MASKED LIM_BOTH(LIM_HAS_TEXTURE, LIM_HAS_TRANSPARENT)
+#endif
+/* Textures that are a sky around the eye. */
+#ifndef LIM_HAS_SKY
+#define LIM_HAS_SKY LIM_HAS_TEXTURE
+#endif
 /* 1: lim_set_wireframe() is there. */
 #ifndef LIM_HAS_WIREFRAME
 #define LIM_HAS_WIREFRAME 1
 #endif
-
 /* 1: lim_set_antialias() is there. */
 #ifndef LIM_HAS_ANTIALIAS
 #define LIM_HAS_ANTIALIAS LIM_HAS_SPANS
 #endif
-
 /* 1: lim_set_delta() is there. */
 #ifndef LIM_HAS_DELTA
 #define LIM_HAS_DELTA 1
 #endif
-
 /* 1: lim_set_overlay() is there. */
 #ifndef LIM_HAS_OVERLAY
 #define LIM_HAS_OVERLAY 1
 #endif
-
 /* 1: what paints nearest first leaves out what round glass hides. */
 #ifndef LIM_HAS_ROUND
 #define LIM_HAS_ROUND LIM_HAS_SPANS
@@ -378,11 +381,20 @@
 #endif
 
 /* Members that may be none, as an array: LIM_OPTIONAL(struct part, name, LIM_HAS_PART) is read as name->x where
- * LIM_HAS_PART was asked first. */
+ * LIM_HAS_PART was asked first.
+ *
+ * LIM_UNLIKELY: a condition that seldom holds. LIM_IN_EACH_CALLER: inlined in each, even where small code is asked for;
+ * programs have but one of them. LIM_WORD_ALIGNED: of members that are copied together. */
 #if defined(__GNUC__)
 #define LIM_OPTIONAL(type, name, count) __extension__ type name[count]
+#define LIM_UNLIKELY(condition) __builtin_expect(condition, 0)
+#define LIM_IN_EACH_CALLER inline __attribute__((always_inline))
+#define LIM_WORD_ALIGNED __attribute__((aligned(LIM_8_BIT ? 1 : 4)))
 #else
 #define LIM_OPTIONAL(type, name, count) type name[(count) ? (count) : 1]
+#define LIM_UNLIKELY(condition) (condition)
+#define LIM_IN_EACH_CALLER inline
+#define LIM_WORD_ALIGNED
 #endif
 
 /* Around structs that have such members: C++ compilers that are asked to be pedantic have none. C and C++ agree on what
@@ -398,32 +410,11 @@
 /* Memory is cut up in words of four bytes. */
 #define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~(size_t)3)
 
-/* Of members that are copied together. */
-#if defined(__GNUC__) && !LIM_8_BIT
-#define LIM_WORD_ALIGNED __attribute__((aligned(4)))
-#else
-#define LIM_WORD_ALIGNED
-#endif
-
-/* LIM_RARE: code for the rare case, out of line, so that the common one stays short. LIM_UNLIKELY: a condition that
- * seldom holds. LIM_IN_EACH_CALLER: inlined in each, even where small code is asked for; programs have but one of them.
- */
-#if defined(__GNUC__)
-#define LIM_RARE __attribute__((noinline, cold))
-#define LIM_UNLIKELY(condition) __builtin_expect(condition, 0)
-#define LIM_IN_EACH_CALLER inline __attribute__((always_inline))
-#else
-#define LIM_RARE
-#define LIM_UNLIKELY(condition) (condition)
-#define LIM_IN_EACH_CALLER inline
-#endif
-
 /* Of functions that can fail. */
 #define LIM_MUST_CHECK __attribute__((warn_unused_result))
 
 /* LIM_ALONE: not inlined, but not rare, as a loop that wants all registers for itself. LIM_IF_CALLED: of a static
- * function that calls a part which may not be linked; where nothing calls it, it is left out even without an optimizer.
- */
+ * function that calls what may not be linked; where nothing calls it, it is left out even without an optimizer. */
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define LIM_ALONE __attribute__((noinline))
 #define LIM_IF_CALLED
@@ -435,7 +426,8 @@
 #define LIM_IF_CALLED
 #endif
 
-/* Inlined wherever it is called, unless small code is asked for; the second, of hot loops, unless the smallest is. */
+/* Inlined wherever it is called, unless small code is asked for; the second, of hot loops, unless the smallest is.
+ * LIM_RARE: code for the rare case, out of line, so that the common one stays short; a call makes small code larger. */
 #if defined(__GNUC__) && !LIM_OPTIMISE_SIZE
 #define LIM_INLINE inline __attribute__((always_inline))
 #else
@@ -443,8 +435,10 @@
 #endif
 #if defined(__GNUC__) && LIM_HOT
 #define LIM_HOT_INLINE inline __attribute__((always_inline))
+#define LIM_RARE __attribute__((noinline, cold))
 #else
 #define LIM_HOT_INLINE inline
+#define LIM_RARE
 #endif
 
 /* Before a loop of n turns, which are written out. */

@@ -165,6 +165,12 @@ static int draw_frame(struct lim *lim)
     return lim_nearest_frame(lim->nearest, LIM_AHEAD_BEGUN);
 }
 
+static LIM_IF_CALLED void begin_sky(struct lim_pass *pass, const struct lim_camera *camera)
+{
+    *pass->texturing->sky = pass->sky;
+    lim_sky_begin(pass->sky, camera, pass->target.w_px, pass->target.h_px);
+}
+
 static LIM_IN_EACH_CALLER int set_camera(struct lim *lim, const struct lim_camera *camera)
 {
     struct lim_pass *pass = &lim->pass;
@@ -175,6 +181,7 @@ static LIM_IN_EACH_CALLER int set_camera(struct lim *lim, const struct lim_camer
     if (!lim_view_begin(&pass->view, pass->scene, camera)) return LIM_ERR_CAMERA;
     if (LIM_HAS_TEXTURE && lim_texture_count(pass->scene))
         lim_texture_begin(pass->texturing, pass->scene, &pass->view, camera);
+    if (LIM_HAS_SKY && lim_texture_count(pass->scene)) begin_sky(pass, camera);
     if (LIM_HAS_PLANES) lim_eye_set(lim_eye_of(pass), pass->scene, camera->eye_q8);
     if (LIM_HAS_PORTALS) lim_walk_look_around(pass->walk, camera, pass->view.rows.far_units);
     if (LIM_HAS_MOVERS) lim_movers_pose(lim->movers, pass, camera);

@@ -52,8 +52,8 @@ static uint32_t own_place(const struct lim_gradients *gradients, uint32_t place)
 static void take_line(const struct lim_pass *pass, const struct lim_textured_span *span, lim_inspect_texel *take,
                       void *ctx)
 {
-    const int16_t w_px = (int16_t)pass->target.w_px, end = span->right < w_px ? span->right : w_px;
-    const int16_t first = span->left > 0 ? span->left : 0;
+    const int16_t end = (int16_t)lim_texture_lesser(span->right, pass->target.w_px);
+    const int16_t first = (int16_t)(span->left > 0 ? span->left : 0);
     struct lim_texture_line line;
 
     if (first >= end) return;
@@ -96,6 +96,7 @@ void lim_inspect_texels(struct lim *lim, lim_index record, lim_inspect_texel *ta
 
     if (!lim_project(&polygon, &pass->view, pass->scene, &pass->scene->polygons[record], &screen, NULL)) return;
     if (lim_screen_texture(&polygon) == LIM_NONE) return;
+    if (lim_texture_is_sky(&pass->scene->textures[pass->scene->polygons[lim_screen_texture(&polygon)]])) return;
     if (!polygon.shape.non_monotone) take_polygon(lim, &polygon, take, ctx);
     for (uint8_t k = 1; polygon.shape.non_monotone && k + 1 < polygon.n; k++) {
         lim_project_fan(&polygon, k, &triangle);

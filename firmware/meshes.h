@@ -86,7 +86,7 @@ struct lim_mesh_line;
 
 /* A picture as a triangle takes it: that of the last one, as the next one's mostly is the same, if not its palette. */
 struct lim_mesh_picture {
-    uint32_t sizes;                 /* lim_texture_sizes(); 0: none */
+    uint32_t sizes;                 /* of its texture, in one word; 0: none */
     uint16_t texels;                /* of struct lim_texture */
     uint8_t own_down, area_down;    /* by which a triangle's sizes in the texture and on the screen are compared */
     uint8_t up;                     /* from places to 16 bits */

@@ -58,7 +58,7 @@ struct lim_mover {
     int32_t half_q12[3];     /* likewise: of a box along the scene's axes */
     int32_t own_half_q12[3]; /* and of one along its own */
     LIM_OPTIONAL(int16_t, to_q14, 3 * LIM_HAS_LIGHT); /* towards the light, in its own axes */
-    /* Set with the view's rows. first_word is LIM_NONE: it shows the colours of its records. */
+    /* Set with the view's rows. first_texture is LIM_NONE: it shows the colours of its records. */
     LIM_OPTIONAL(struct lim_texturing, texturing, LIM_HAS_TEXTURE);
 };
 

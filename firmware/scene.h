@@ -9,10 +9,11 @@
 #define LIM_SCENE_H
 
 #include "config.h"
+#include "frame_memory.h"
 
 /* The form of a scene's NAME.c and NAME.h, which say for which one they were written. It changes whenever files that
  * were written before would compile to something wrong. */
-#define LIM_SCENE_FORMAT 10
+#define LIM_SCENE_FORMAT 11
 
 /* An index into a scene's arrays, and a word of its polygons. Wide scenes have more than 16 bits can count. */
 #if LIM_HAS_WIDE
@@ -95,7 +96,7 @@ struct lim_plane_ref {
 #define LIM_POLYGON_COUNT 0x00FFu
 #define LIM_POLYGON_PLANE 0x0100u   /* its plane, a struct lim_plane_ref: two words */
 #define LIM_POLYGON_BACK 0x0200u    /* it faces the back of that plane */
-#define LIM_POLYGON_ALPHA 0x0400u   /* its alpha, a word: 1..254, of 255 */
+#define LIM_POLYGON_ALPHA 0x0400u   /* its alpha, a word: 1..254, of 255; textured: how much of it is not clear */
 #define LIM_POLYGON_EDGES 0x0800u   /* an edge a bit, (n + 15) / 16 words: bit k set, and wireframe leaves edge k out */
 #define LIM_POLYGON_TEXTURE 0x1000u /* indices of its texture and of its mapping: two words, the last ones */
 #define LIM_POLYGON_MESH 0x2000u    /* the first of a mesh leaf: four words (LIM_MESH_LEAF_...), before the texture's */
@@ -141,17 +142,19 @@ struct lim_mapping {
     int8_t level_q3;         /* log2 of texels a unit, the mean of both directions, and half of log2(|n| / 2^14) */
     uint8_t scale;           /* bits, 0..31; LIM_MAPPING_UPRIGHT: an axis plane; the axis of the longest component */
 #if LIM_HAS_WIDE
-    uint16_t zero;
+    uint16_t texture; /* lim_mappings_name_textures(): the one that is shown, of lim_scene.textures; else 0 */
 #endif
 };
 enum { LIM_MAPPING_BITS = 31, LIM_MAPPING_UPRIGHT = 32, LIM_MAPPING_AXIS_SHIFT = 6 };
 #if LIM_HAS_WIDE
-#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale)                                                  \
+#define LIM_MAPPING_TEXTURE(mapping) ((mapping)->texture)
+#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale, texture)                                         \
     {                                                                                                                  \
-        {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale, 0                                                    \
+        {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale, texture                                              \
     }
 #else
-#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale)                                                  \
+#define LIM_MAPPING_TEXTURE(mapping) ((void)(mapping), 0u)
+#define LIM_MAPPING(u_j, u_k, v_j, v_k, u, v, plane, level_q3, scale, texture)                                         \
     {                                                                                                                  \
         {{u_j, u_k}, {v_j, v_k}}, {u, v}, plane, level_q3, scale                                                       \
     }
@@ -172,15 +175,26 @@ struct lim_texture {
     uint16_t palette;                 /* where its colours begin in lim_scene.palettes */
     uint8_t w_bits, h_bits;
     uint8_t levels;     /* 1..h_bits + 1 */
-    uint8_t place_bits; /* of a mesh: of struct lim_uv, 0..15; else 0 */
+    uint8_t place_bits; /* of a mesh: of struct lim_uv, 0..15; else 0, LIM_TEXTURE_MASKED or LIM_TEXTURE_SKY */
 };
 enum { LIM_TEXEL_BLOCK = 16 };
 
-/* All of its sizes, as a number to compare; at least one is not 0. */
-typedef uint32_t __attribute__((may_alias)) lim_texture_word;
-static inline uint32_t lim_texture_sizes(const LIM_FLASH struct lim_texture *texture)
+/* Texels 0 are clear. Records with an alpha have such textures, and no others. */
+#define LIM_TEXTURE_MASKED 0x80u
+
+/* It is seen on a cylinder around the eye, wherever its polygons are. Of a record's mapping are asked how often it goes
+ * round, uv[0][0], 1..16, and at_zero_q16[1], how far from its top the horizon is, in 2^-15 of its width. Colours 0 and
+ * 1 of its palette are what is seen above and below it. */
+#define LIM_TEXTURE_SKY 0x40u
+
+static inline bool lim_texture_is_masked(const LIM_FLASH struct lim_texture *texture)
 {
-    return *(const LIM_FLASH lim_texture_word *)&texture->w_bits;
+    return LIM_HAS_MASKED && texture->place_bits & LIM_TEXTURE_MASKED;
+}
+
+static inline bool lim_texture_is_sky(const LIM_FLASH struct lim_texture *texture)
+{
+    return LIM_HAS_SKY && texture->place_bits & LIM_TEXTURE_SKY;
 }
 
 /* A colour as the target's memory holds it, in a constant: lim_memory_colour(). */
@@ -199,21 +213,6 @@ static inline uint32_t lim_texture_sizes(const LIM_FLASH struct lim_texture *tex
 struct lim_place {
     uint16_t cell;
     uint16_t pvs; /* where it begins in lim_scene.visible sets, or LIM_NONE: nothing is known, everything is walked */
-};
-
-/* What memory a frame needs; the compiler measures all but the first two on sampled cameras. A frame that needs more
- * falls back to bands; without room for pieces, polygons go by their farthest points (LIM_NEWELL). */
-struct lim_limits {
-    uint16_t depth;    /* nodes on the longest path from the root: least stack of the walk */
-    uint16_t vertices; /* most vertices of any polygon */
-    /* What the next three take together is one memory, which they share; LIM_CONVEX and meshes take the last alone. */
-    uint16_t retained_cells; /* points and heads of the polygons retained between SPAN and PAINT */
-    uint16_t gaps;           /* gaps beyond the first of each line, all lines together */
-    uint16_t active;         /* polygons that cross one line, beyond those that find room elsewhere */
-    uint16_t pieces;         /* LIM_NEWELL: how often polygons are split */
-    uint16_t layers;         /* pieces of transparent polygons on one line; 0: there are no such polygons */
-    uint16_t leaf_vertices;  /* most vertices of any mesh leaf; 0: there is none */
-    uint16_t leaf_polygons;  /* of a mesh leaf that are sorted at once, measured likewise: 1 or more if there is one */
 };
 
 LIM_OPTIONAL_BEGIN
@@ -285,6 +284,12 @@ static inline bool lim_scene_shares_textures(const struct lim_scene *scene, cons
     return false;
 }
 #endif
+
+/* Where 16 bits do not tell at which word a record names its texture, its mapping does: no two textures share one. */
+static inline bool lim_mappings_name_textures(const struct lim_scene *scene)
+{
+    return LIM_HAS_WIDE && (uint32_t)scene->polygon_words >> 16 != 0;
+}
 
 /* x, y, z in turns. */
 /*@ assigns \nothing;
@@ -366,6 +371,12 @@ static inline uint16_t lim_record_alpha_at(lim_index head)
 static inline uint16_t lim_record_edges_at(lim_index head)
 {
     return lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE | LIM_POLYGON_ALPHA));
+}
+
+/* The mapping that a record with LIM_POLYGON_TEXTURE names in its last word. */
+static inline uint16_t lim_record_mapping(const LIM_FLASH lim_index *record)
+{
+    return (uint16_t)record[lim_record_words(record[0]) - 1];
 }
 
 static inline bool lim_node_is_leaf(const LIM_FLASH struct lim_node *node)

@@ -281,6 +281,7 @@ struct lim_pass {
     LIM_OPTIONAL(struct lim_walk, walk, LIM_HAS_TREE);
     LIM_OPTIONAL(struct lim_eye, eye, LIM_HAS_PLANES && !LIM_HAS_TREE);
     LIM_OPTIONAL(struct lim_texturing, texturing, LIM_HAS_TEXTURE);
+    LIM_OPTIONAL(struct lim_sky, sky, LIM_HAS_SKY);
     LIM_OPTIONAL(struct lim_wireframe, wireframe, LIM_HAS_WIREFRAME);
     LIM_OPTIONAL(const struct lim_overlay *, overlay, LIM_HAS_OVERLAY); /* the caller's, or NULL */
     LIM_OPTIONAL(struct lim_stats, stats, LIM_HAS_STATS);
@@ -360,7 +361,7 @@ struct lim_screen_polygon {
     LIM_OPTIONAL(uint8_t, alpha, LIM_HAS_TRANSPARENT);
     LIM_OPTIONAL(uint16_t, hidden, LIM_HAS_WIREFRAME *LIM_FLAG_WORDS(CLIP_MAX_VERTICES)); /* an edge a bit: not drawn */
     LIM_OPTIONAL(bool, antialiased, LIM_HAS_ANTIALIAS); /* `shape` is of its samples */
-    /* The word of lim_scene.polygons at which its record names its texture, or LIM_NONE. */
+    /* Where its record names its texture, or, lim_mappings_name_textures(), the mapping that does; LIM_NONE. */
     LIM_OPTIONAL(uint16_t, texture, LIM_HAS_TEXTURE);
     struct lim_point at[CLIP_MAX_VERTICES];
 };
@@ -464,17 +465,13 @@ struct lim_actives {
     struct lim_active *first, *free; /* lists through `next`: what crosses the line, and what was given back */
 };
 
-/* A piece of a line that waits for what lies behind it. */
-struct lim_layer {
-    uint16_t x0, x1; /* x0 <= x < x1 */
-    uint16_t colour; /* as it lies in memory */
-    uint8_t alpha;
-};
-
 struct lim_layers {
-    struct lim_layer *pool;
-    uint16_t size, used;
-    bool exhausted; /* some did not fit */
+    struct lim_layer *pool, *own; /* of this line: `own`, or idle memory */
+    uint16_t size, own_size, used;
+    bool exhausted, in_idle;                                 /* some did not fit; what was idle is overwritten */
+    LIM_OPTIONAL(struct lim_masked, masked, LIM_HAS_MASKED); /* of the pieces that are pushed next */
+    LIM_OPTIONAL(const struct lim_texturing *, texturing, LIM_HAS_MASKED);
+    LIM_OPTIONAL(int16_t, y, LIM_HAS_MASKED); /* the line */
 };
 
 struct lim_smooth {

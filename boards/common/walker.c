@@ -5,12 +5,19 @@
 #include "camera.h"
 #include "eye.h"
 
-#define TURN_STEP (UINT32_C(1) << 24)
-enum { NEAR_STEPS = 4, BOARD_WALK = BOARD_UP | BOARD_DOWN | BOARD_LEFT | BOARD_RIGHT };
+#define TURN_STEP (UINT32_C(1) << (BOARD_PLAYER ? 26 : 24))
+enum { BOARD_WALK = BOARD_UP | BOARD_DOWN | BOARD_LEFT | BOARD_RIGHT };
 
-/* Of its body, in distances of the near plane; gravity is a fourth part of one. */
-enum { BODY_NEARS = 2, FLOOR_NEARS = 32, GRAVITY_PARTS = 4, STEP_PARTS = 4 };
-#define BODY_NEAR_MAX_Q8 (LIM_HALF_MAX_Q8 / 4)
+/* A step, in quarters of the near plane's distance. */
+enum { STRIDE_QUARTERS = BOARD_PLAYER ? 10 : 1 };
+
+/* Of its body, in distances of the near plane: to each side of the eye, and over it; gravity is a fourth part of one.
+ */
+enum { BODY_NEARS = BOARD_PLAYER ? 5 : 2, HEAD_NEARS = BOARD_PLAYER ? 4 : 2, FLOOR_NEARS = 32, GRAVITY_PARTS = 4 };
+#define BODY_NEAR_MAX_Q8 (LIM_HALF_MAX_Q8 / (2 * BODY_NEARS))
+
+/* How high it climbs, in twentieths of the eye's height. */
+enum { CLIMB_TWENTIETHS = BOARD_PLAYER ? 12 : 5 };
 
 /* What stops it, if its body is not too large to be stopped. */
 static const struct lim_solid *solid_of(const struct walker *walker)
@@ -21,7 +28,7 @@ static const struct lim_solid *solid_of(const struct walker *walker)
 /* How far below the eye a floor may be: with what is above it a body may not be too high. */
 static int32_t floor_below(int32_t near_q8)
 {
-    const int32_t most_q8 = 2 * LIM_HALF_MAX_Q8 - BODY_NEARS * near_q8;
+    const int32_t most_q8 = 2 * LIM_HALF_MAX_Q8 - HEAD_NEARS * near_q8;
 
     return near_q8 < most_q8 / FLOOR_NEARS ? FLOOR_NEARS * near_q8 : most_q8;
 }
@@ -43,8 +50,8 @@ static void begin_walk(struct walker *walker, const struct lim_camera *camera)
     walker->body->feet =
         (struct lim_walker){.at_q8 = {camera->eye_q8[0], camera->eye_q8[1] - eye_q8, camera->eye_q8[2]},
                             .radius_q8 = BODY_NEARS * near_q8,
-                            .height_q8 = eye_q8 + BODY_NEARS * near_q8,
-                            .step_q8 = eye_q8 / STEP_PARTS,
+                            .height_q8 = eye_q8 + HEAD_NEARS * near_q8,
+                            .step_q8 = eye_q8 * CLIMB_TWENTIETHS / 20,
                             .gravity_q8 = near_q8 / GRAVITY_PARTS};
 }
 
@@ -95,7 +102,7 @@ static void go(struct walker *walker, int32_t step_q8)
 /* Without a button it falls. */
 static void step(struct walker *walker, uint8_t pressed)
 {
-    const int32_t step_q8 = walker->camera.near_q8 / NEAR_STEPS;
+    const int32_t step_q8 = walker->camera.near_q8 / 4 * STRIDE_QUARTERS;
     const int32_t steps = ((pressed & BOARD_UP) != 0) - ((pressed & BOARD_DOWN) != 0);
 
     if (pressed & BOARD_LEFT) walker->camera.yaw += TURN_STEP;

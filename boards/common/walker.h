@@ -13,7 +13,10 @@
  *
  * With a scene's solid it is a body, which walls stop: twice the near plane's distance to each side of the eye. If
  * there is a floor within 32 of these distances below the eye, it stands on it, as high as the eye was, climbs steps of
- * a quarter of that, and falls; else it floats. */
+ * a quarter of that, and falls; else it floats.
+ *
+ * In a map of Doom (BOARD_PLAYER) it is as large and as fast as the player, for a near plane at 10 cm: 0.5 m to each
+ * side, 0.4 m over the eye, up steps of 0.6 of the eye's height, 0.25 m a frame, and 1/64 of a full turn. */
 #ifndef BOARDS_WALKER_H
 #define BOARDS_WALKER_H
 
@@ -23,6 +26,10 @@
 /* 0: nothing stops it, and nothing of that is linked. */
 #ifndef BOARD_WALLS
 #define BOARD_WALLS 1
+#endif
+
+#ifndef BOARD_PLAYER
+#define BOARD_PLAYER 0
 #endif
 
 /* Of who is stopped by walls. */

@@ -67,7 +67,7 @@ static LIM_IF_CALLED void flat_fill_textured(const struct lim_pass *pass, struct
                                              uint16_t *line, struct extent all, struct extent seen, uint16_t y,
                                              struct lim_stats *stats)
 {
-    const struct lim_textured_span span = {pass->texturing, gradients, (int16_t)y, (int16_t)all.x0, (int16_t)all.x1};
+    const struct lim_textured_span span = {pass->texturing, gradients, y, all.x0, all.x1};
 
     lim_texture_fill(&span, line, (uint16_t)seen.x0, (uint16_t)seen.x1, stats);
 }

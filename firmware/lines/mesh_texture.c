@@ -312,13 +312,20 @@ static LIM_RARE void set_plain(const struct lim_mesh *mesh, struct lim_mesh_acti
             : lim_memory_colour((uint16_t)lim_mesh_triangle(mesh, lim_mesh_number(active))[3]);
 }
 
+/* All of its sizes, as a number to compare; at least one is not 0. */
+typedef uint32_t __attribute__((may_alias)) texture_word;
+static inline uint32_t sizes_of(const LIM_FLASH struct lim_texture *texture)
+{
+    return *(const LIM_FLASH texture_word *)&texture->w_bits;
+}
+
 /* Another picture than the last one. */
 static LIM_ALONE void take_picture(struct lim_mesh *mesh, const LIM_FLASH struct lim_texture *texture)
 {
     struct lim_mesh_picture *const taken = &mesh->looks->taken;
     const int_fast16_t down = 2 * (int_fast16_t)(texture->place_bits - texture->w_bits - LIM_SUB_BITS) + 1;
 
-    taken->sizes = lim_texture_sizes(texture);
+    taken->sizes = sizes_of(texture);
     taken->texels = texture->texels;
     taken->own_down = (uint8_t)(down > 0 ? down : 0);
     taken->area_down = (uint8_t)(down < 0 ? -down : 0);
@@ -332,7 +339,7 @@ static LIM_INLINE const struct lim_mesh_picture *picture_of(struct lim_mesh *mes
 {
     const struct lim_mesh_picture *const taken = &mesh->looks->taken;
 
-    if (LIM_UNLIKELY(taken->sizes != lim_texture_sizes(texture) || taken->texels != texture->texels))
+    if (LIM_UNLIKELY(taken->sizes != sizes_of(texture) || taken->texels != texture->texels))
         take_picture(mesh, texture);
     return taken;
 }

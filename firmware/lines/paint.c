@@ -95,8 +95,8 @@ static inline void set_span(struct sink *sink, struct lim_active *active, const 
                             int32_t left, int32_t right)
 {
     sink->span->gradients = lim_retained_has_texture(cells) ? active->gradients : NULL;
-    sink->span->left = (int16_t)left;
-    sink->span->right = (int16_t)right;
+    sink->span->left = left;
+    sink->span->right = right;
 }
 
 /* Whether all that a piece takes are texels in perspective, as most textured pieces do. */
@@ -113,7 +113,7 @@ static lim_piece_fill paint_piece;
 static inline uint32_t look_of(const struct sink *sink)
 {
     if (!is_textured(sink)) return sink->colour;
-    if (LIM_HAS_MOVERS && sink->colour >= sink->span->texturing->scene->polygon_words)
+    if (LIM_HAS_MOVERS && sink->colour >= lim_texture_numbers(sink->span->texturing->scene))
         return sink->colour | LIM_RUN_TEXTURED | LIM_RUN_MOVES;
     return sink->colour | LIM_RUN_TEXTURED;
 }
@@ -154,12 +154,17 @@ static bool paint_advance(struct lim_active *active, const union lim_retained_ce
 
 /* A transparent polygon leaves its pixels open. */
 static LIM_IF_CALLED void push_layers(struct lim_paint *paint, const struct lim_spans *spans,
-                                      const struct lim_line *open, const struct lim_active *active,
+                                      const struct lim_line *open, struct lim_active *active,
                                       const union lim_retained_cell *cells)
 {
     const int16_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
-    const struct lim_layer piece = {left > 0 ? (uint16_t)left : 0, right > 0 ? (uint16_t)right : 0,
-                                    cells[1].look.colour, lim_retained_alpha(cells)};
+    if (LIM_HAS_MASKED)
+        lim_layers_mask(paint->layers, lim_retained_has_texture(cells) ? active->gradients : NULL, left, right);
+    const struct lim_layer piece = {.x0 = left > 0 ? (uint16_t)left : 0,
+                                    .x1 = right > 0 ? (uint16_t)right : 0,
+                                    .colour = cells[1].look.colour,
+                                    .alpha = LIM_HAS_MASKED ? lim_layers_alpha(paint->layers, lim_retained_alpha(cells))
+                                                            : lim_retained_alpha(cells)};
 
     if (!paint->layers->exhausted) lim_layers_push(paint->layers, spans, open, &piece);
 }
@@ -255,9 +260,15 @@ static inline void begin_sink(struct sink *sink, const struct lim_paint *paint, 
     }
     if (LIM_HAS_TEXTURE) {
         sink->span->texturing = paint->pass->texturing;
-        sink->span->y = (int16_t)y;
+        sink->span->y = y;
         *sink->stats = lim_stats_of(paint->pass);
     }
+}
+
+/* Panes, or masked textures, which do not count as transparent. */
+static inline bool may_have_layers(const struct lim_retained *retained)
+{
+    return retained->transparent || (LIM_HAS_MASKED && retained->textured);
 }
 
 static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
@@ -275,7 +286,9 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     sink.line = use == NOTED ? NULL : target->lend(target->ctx, y);
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
     begin_sink(&sink, paint, y, use);
+    if (LIM_HAS_MASKED) lim_layers_begin(paint->layers, paint->pass->texturing, y);
     lim_actives_count(&paint->actives, spans, stats, y);
+    if (LIM_HAS_TRANSPARENT && may_have_layers(retained)) lim_layers_open(paint->layers, &paint->actives, spans, y);
     lim_spans_reset_pool(spans);
     paint_polygons(paint, spans, retained, &open, y, &sink);
     paint_background(spans, &open, paint, &sink);

@@ -26,7 +26,7 @@ struct lim_retained_polygon {
     const uint16_t *hidden; /* NULL: not in wireframe */
 };
 
-/* What is transparent has no texture; in wireframe all is opaque and has none. */
+/* What is transparent has a masked texture or none; in wireframe all is opaque and has none. */
 static inline struct lim_retained_polygon lim_retained_of(const struct lim_screen_polygon *polygon, int16_t top,
                                                           int16_t bottom, bool wireframe)
 {
@@ -41,7 +41,7 @@ static inline struct lim_retained_polygon lim_retained_of(const struct lim_scree
     seen.alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
     seen.hidden = wireframe ? lim_hidden_of(polygon) : NULL;
     if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE && !wireframe &&
-        lim_alpha_of(polygon) == LIM_OPAQUE) {
+        (LIM_HAS_MASKED || lim_alpha_of(polygon) == LIM_OPAQUE)) {
         seen.colour = lim_screen_texture(polygon);
         seen.bottom |= LIM_RETAINED_TEXTURE;
     }

@@ -3,6 +3,7 @@
  * What is narrow, textured or transparent is counted pixel by pixel. */
 #include "lines/smooth.h"
 
+#include "lines/layers.h"
 #include "screen/polygon.h"
 
 #if LIM_HAS_ANTIALIAS
@@ -277,12 +278,16 @@ static void push_run(void *ctx, uint32_t x0, uint32_t x1, uint32_t n)
 {
     const struct pusher *pusher = ctx;
     struct lim_layers *layers = pusher->layers;
-    const uint8_t alpha = (uint8_t)((pusher->alpha * n + LIM_SAMPLES / 2) / LIM_SAMPLES);
+    const uint8_t whole = LIM_HAS_MASKED ? lim_layers_alpha(layers, pusher->alpha) : pusher->alpha;
+    const uint8_t alpha = (uint8_t)((whole * n + LIM_SAMPLES / 2) / LIM_SAMPLES);
 
     layers->exhausted = layers->exhausted || layers->used == layers->size;
     if (layers->exhausted) return;
-    layers->pool[layers->used++] = (struct lim_layer){(uint16_t)(x0 - LIM_STRIP_BIAS_PX),
-                                                      (uint16_t)(x1 - LIM_STRIP_BIAS_PX), pusher->colour, alpha};
+    layers->pool[layers->used++] = (struct lim_layer){.x0 = (uint16_t)(x0 - LIM_STRIP_BIAS_PX),
+                                                      .x1 = (uint16_t)(x1 - LIM_STRIP_BIAS_PX),
+                                                      .colour = pusher->colour,
+                                                      .alpha = alpha};
+    if (LIM_HAS_MASKED) lim_layers_note(layers);
 }
 
 static lim_strip_sink push;

@@ -91,6 +91,9 @@ static void smooth_polygons(struct lim_paint *paint, struct lim_spans *spans, co
         const struct lim_strip strip = smooth_strip(active, cells, y);
         if (!lim_line_is_closed(open)) {
             if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE) {
+                if (LIM_HAS_MASKED)
+                    lim_layers_mask(paint->layers, lim_retained_has_texture(cells) ? active->gradients : NULL,
+                                    lim_strip_first_px(&strip), lim_strip_end_px(&strip));
                 lim_smooth_push(paint->layers, spans, open, &strip, cells[1].look.colour, lim_retained_alpha(cells));
             } else {
                 set_look(sink, active, cells, &strip);
@@ -133,10 +136,12 @@ static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const s
     const uint16_t x0 = open.gap.x0, x1 = open.gap.x1;
     if (LIM_HAS_TEXTURE) {
         sink.span->texturing = paint->pass->texturing;
-        sink.span->y = (int16_t)y;
+        sink.span->y = y;
         *sink.stats = stats;
     }
+    if (LIM_HAS_MASKED) lim_layers_begin(paint->layers, paint->pass->texturing, y);
     lim_actives_count(&paint->actives, spans, stats, y);
+    if (LIM_HAS_TRANSPARENT) lim_layers_open_own(paint->layers);
     lim_spans_reset_pool(spans);
     if (x0 < x1) (void)lim_strips_begin(spans, &open);
     smooth_polygons(paint, spans, retained, &open, (int16_t)y, &sink);

@@ -73,7 +73,7 @@ void lim_smooth_add(struct lim_paint *paint, struct lim_spans *spans, const stru
 
     sink.share = lim_smooth_share(polygon->colour);
     if (LIM_HAS_TEXTURE) {
-        *sink.span = (struct lim_textured_span){paint->pass->texturing, NULL, (int16_t)spans->open.y0, x, end};
+        *sink.span = (struct lim_textured_span){paint->pass->texturing, NULL, spans->open.y0, x, end};
         if (lim_screen_texture(polygon) != LIM_NONE) {
             lim_texture_set(paint->pass->texturing, lim_screen_texture(polygon), polygon->at, polygon->n, &gradients);
             sink.span->gradients = &gradients;

@@ -7,7 +7,7 @@
 #ifndef LIM_FIXED_H
 #define LIM_FIXED_H
 
-#include "config.h"
+#include "math/thumb.h"
 
 LIM_STATIC_ASSERT((-3 >> 1) == -2, "right shifts must be arithmetic");
 
@@ -297,7 +297,7 @@ static inline uint32_t recip_q15_of(uint32_t z, uint8_t *shift)
     return LIM_8_BIT ? (uint32_t)shift_s32((int32_t)r_q24 + 256, 9) : (r_q24 + 256) >> 9;
 }
 
-/* The high half of a product, floor(a b / 2^32): the same bits in two forms. */
+/* The high half of a product, floor(a b / 2^32): the same bits in three forms. */
 /*@ assigns \nothing;
     ensures \result == (a * b) >> 32; */
 static inline int32_t mul_high_long_s32(int32_t a, int32_t b)
@@ -311,13 +311,13 @@ static inline int32_t mul_high_long_s32(int32_t a, int32_t b)
 static inline int32_t mul_high_limbs_s32(int32_t a, int32_t b)
 {
     const int32_t a_high = a >> 16, b_high = b >> 16;
-    const uint32_t a_low = (uint32_t)(a & 0xFFFF), b_low = (uint32_t)(b & 0xFFFF);
+    const uint32_t a_low = (uint32_t)LOW_16(a), b_low = (uint32_t)LOW_16(b);
     //@ assert a == a_high * 65536 + a_low && 0 <= a_low <= 65535 && -32768 <= a_high <= 32767;
     //@ assert b == b_high * 65536 + b_low && 0 <= b_low <= 65535 && -32768 <= b_high <= 32767;
     const uint32_t low = a_low * b_low;
     const int32_t middle = a_high * (int32_t)b_low + (int32_t)(low >> 16);
     //@ assert -2147450880 <= b_high * (int32_t)a_low <= 2147385345;
-    const int32_t other = b_high * (int32_t)a_low + (middle & 0xFFFF);
+    const int32_t other = b_high * (int32_t)a_low + (int32_t)LOW_16(middle);
     //@ assert -1073709056 <= a_high * b_high <= 1073741824;
     //@ assert parts: a * b == a_high * b_high * 4294967296 + (a_high * b_low + b_high * a_low) * 65536 + low;
     return a_high * b_high + (middle >> 16) + (other >> 16);
@@ -327,7 +327,7 @@ static inline int32_t mul_high_limbs_s32(int32_t a, int32_t b)
     ensures \result == (a * b) >> 32; */
 static inline int32_t mul_high_s32(int32_t a, int32_t b)
 {
-    return LIM_LONG_MULTIPLY ? mul_high_long_s32(a, b) : mul_high_limbs_s32(a, b);
+    return MUL_HIGH_S32(a, b);
 }
 
 /* floor(a b / 2^32) for a positive b of which only the upper 16 bits are set: with limbs, two products. */
@@ -342,7 +342,7 @@ static inline int32_t mul_s32_top(int32_t a, int32_t b)
     //@ assert a * b == (a >> 16) * top * 4294967296 + (a & 0xFFFF) * top * 65536;
     //@ assert -1073741824 <= (a >> 16) * top <= 1073741824 && 0 <= (a & 0xFFFF) * top <= 2147450880;
 
-    return (a >> 16) * (int32_t)top + (int32_t)(((uint32_t)(a & 0xFFFF) * top) >> 16);
+    return (a >> 16) * (int32_t)top + (int32_t)(((uint32_t)LOW_16(a) * top) >> 16);
 }
 
 /* The same without signs. */
@@ -357,7 +357,7 @@ static inline uint32_t mul_u32_top(uint32_t a, uint32_t b)
     //@ assert a * b == (a >> 16) * top * 4294967296 + (a & 0xFFFF) * top * 65536;
     //@ assert 0 <= (a >> 16) * top <= 4294836225 && 0 <= (a & 0xFFFF) * top <= 4294836225;
 
-    return (a >> 16) * top + (((a & 0xFFFFu) * top) >> 16);
+    return (a >> 16) * top + ((LOW_16(a) * top) >> 16);
 }
 
 /*@ predicate is_recip_q31(integer r, integer mantissa) =

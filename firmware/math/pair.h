@@ -5,7 +5,7 @@
 #ifndef LIM_PAIR_H
 #define LIM_PAIR_H
 
-#include "config.h"
+#include "math/thumb.h"
 
 #if LIM_DUAL_MULTIPLY && defined(__arm__)
 
@@ -95,7 +95,7 @@ static inline bool pair_are_most(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 /* The low halves of two words. */
 static inline uint32_t pair_of_lows(uint32_t low, uint32_t high)
 {
-    return (low & 0xFFFF) | high << 16;
+    return LOW_16(low) | high << 16;
 }
 
 /* The high halves of two words. */
@@ -118,7 +118,7 @@ static inline uint32_t pair_of_both(uint32_t number)
 
 static inline uint32_t pair_low(uint32_t pair)
 {
-    return pair & 0xFFFF;
+    return LOW_16(pair);
 }
 
 static inline uint32_t pair_high(uint32_t pair)

@@ -179,11 +179,12 @@ static LIM_IF_CALLED void turn_textures(const struct lim_movers *movers, uint16_
     struct lim_mover *self = &movers->movers[mover];
     struct lim_texturing *const frame = *movers->texturing;
 
-    *self->texturing->first_word = LIM_NONE;
+    *self->texturing->first_texture = LIM_NONE;
     if (!frame || !lim_scene_shares_textures(frame->scene, instance->object) || lim_deforms(instance) ||
         (LIM_HAS_LIGHT && movers->light->on))
         return;
-    if (lim_texture_add_moved(frame, self->texturing, frame->scene->polygon_words, instance->object->polygon_words))
+    if (lim_texture_add_moved(frame, self->texturing, lim_texture_numbers(frame->scene),
+                              lim_texture_numbers(instance->object)))
         lim_texture_begin_turned(self->texturing, instance->object, &self->view, own, own_axes_q30);
 }
 

@@ -38,10 +38,10 @@ const struct lim_view *lim_movers_world(struct lim_movers *movers);
 /* The mover's view, with the cache empty or its own. */
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover);
 
-/* Behind which word textures of its records are numbered (texturing.h), once it has a view; LIM_NONE: it shows none. */
-static inline uint16_t lim_mover_first_word(const struct lim_movers *movers, uint16_t mover)
+/* From where on textures of its records are numbered (texturing.h), once it has a view; LIM_NONE: it shows none. */
+static inline uint16_t lim_mover_first_texture(const struct lim_movers *movers, uint16_t mover)
 {
-    return LIM_HAS_TEXTURE ? *movers->movers[mover].texturing->first_word : (uint16_t)LIM_NONE;
+    return LIM_HAS_TEXTURE ? *movers->movers[mover].texturing->first_texture : (uint16_t)LIM_NONE;
 }
 
 /* How far ahead of the eye a point is, in 1/512 units. */

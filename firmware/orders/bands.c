@@ -71,13 +71,25 @@ static void follow(struct bands *bands, const struct lim_target *target)
     band->y1 = (uint16_t)(target->h_px - band->y0 < bands->h_px ? target->h_px : band->y0 + bands->h_px);
 }
 
+/* Whether the cache of vertices was overwritten. */
+static bool took_idle_memory(struct lim_nearest *nearest)
+{
+    bool took = nearest->paint.actives.in_pool;
+
+    if (LIM_HAS_TRANSPARENT) {
+        took = took || nearest->paint.layers->in_idle;
+        nearest->paint.layers->in_idle = false;
+    }
+    return took;
+}
+
 /* Positive: a pool is exhausted (LIM_PAINT_...), and *y is the first line that is not yet painted. */
 static int paint_band(struct lim_nearest *nearest, const struct lim_rect *band, bool is_collected, uint16_t *y)
 {
     *y = band->y0;
     if (!is_collected) return LIM_PAINT_ACTIVE;
     const int err = lim_paint_band(&nearest->paint, &nearest->spans, &nearest->retained, band, y);
-    if (nearest->paint.actives.in_pool) lim_view_forget(&nearest->pass->view);
+    if (took_idle_memory(nearest)) lim_view_forget(&nearest->pass->view);
     return err;
 }
 

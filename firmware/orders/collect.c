@@ -21,15 +21,6 @@
 
 #if LIM_HAS_SPANS
 
-void lim_nearest_shrink(struct lim_nearest *nearest)
-{
-    const bool smaller = lim_spans_shrink(&nearest->spans);
-
-    if (LIM_HAS_CULL && smaller)
-        lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8,
-                     &nearest->spans.open);
-}
-
 /* SPAN for one polygon that is not non-monotone, on the lines `shown`, which shrink to those of which something was
  * open. sink: for the pieces, with `look`, where they are painted at once, and nobody asks for lines; or NULL. false: a
  * pool is exhausted. */
@@ -183,30 +174,32 @@ enum outcome {
     SLOW_PATH /* nothing was done: collect_any() */
 };
 
-/* Where a record with LIM_POLYGON_TEXTURE names it, or LIM_NONE of any record: textures may have been taken away. */
-static inline uint16_t texture_word(const struct lim_pass *pass, const LIM_FLASH lim_index *record)
+/* lim_screen_polygon.texture; LIM_NONE of any record: textures may have been taken away. */
+static inline uint16_t texture_named(const struct lim_scene *scene, const LIM_FLASH lim_index *record)
 {
-    if (!LIM_HAS_TEXTURE || !(record[0] & LIM_POLYGON_TEXTURE) || !lim_texture_count(pass->scene)) return LIM_NONE;
-    return (uint16_t)(record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS - pass->scene->polygons);
+    if (!LIM_HAS_TEXTURE || !(record[0] & LIM_POLYGON_TEXTURE) || !lim_texture_count(scene)) return LIM_NONE;
+    if (lim_mappings_name_textures(scene)) return lim_record_mapping(record);
+    return (uint16_t)(record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS - scene->polygons);
 }
 
-/* An object that moves, and behind which word its textures are numbered (lim_mover_first_word()). */
+/* An object that moves, and from where on its textures are numbered (lim_mover_first_texture()). */
 struct moving_look {
     const struct lim_scene *object;
-    uint16_t first_word;
+    uint16_t first_texture;
 };
 
-static inline uint16_t moving_word(const struct moving_look *moving, const LIM_FLASH lim_index *record)
+static inline uint16_t moving_texture(const struct moving_look *moving, const LIM_FLASH lim_index *record)
 {
-    if (!LIM_HAS_TEXTURE || !(record[0] & LIM_POLYGON_TEXTURE) || moving->first_word == LIM_NONE) return LIM_NONE;
-    const LIM_FLASH lim_index *const words = record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS;
-    return (uint16_t)(moving->first_word + (uint16_t)(words - moving->object->polygons));
+    const uint16_t own = moving->first_texture == LIM_NONE ? LIM_NONE : texture_named(moving->object, record);
+
+    return (uint16_t)(own == LIM_NONE ? LIM_NONE : moving->first_texture + own);
 }
 
 /* A polygon that is opaque and neither clipped nor non-monotone, whose points lie where they would be retained: none of
  * it is ever copied. moving: NULL, of what stands still. */
-static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim_index *record, struct lim_point *at,
-                                uint8_t n, struct lim_edge_shape *shape, const struct moving_look *moving)
+static inline enum outcome collect_shape(struct lim_nearest *nearest, const LIM_FLASH lim_index *record,
+                                         struct lim_point *at, uint8_t n, struct lim_edge_shape *shape,
+                                         const struct moving_look *moving)
 {
     struct lim_pass *const pass = nearest->pass;
     const struct lim_rect *open = &nearest->spans.open;
@@ -231,7 +224,8 @@ static inline enum outcome take(struct lim_nearest *nearest, const LIM_FLASH lim
         shown = seen;
     }
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons_seen++;
-    const uint16_t texture = LIM_HAS_MOVERS && moving ? moving_word(moving, record) : texture_word(pass, record);
+    const uint16_t texture =
+        LIM_HAS_MOVERS && moving ? moving_texture(moving, record) : texture_named(pass->scene, record);
     const bool textured = LIM_HAS_TEXTURE && texture != LIM_NONE;
     if (textured) nearest->retained.textured = true;
     lim_retained_link(&nearest->spans, &nearest->retained, &nearest->spans.lines[shown.top], n, shape->first,
@@ -258,7 +252,7 @@ static inline enum outcome collect_fast(struct lim_nearest *nearest, struct lim_
     if (LIM_HAS_STATS) lim_stats_of(pass)->polygons++;
     if (lim_view_all_outside(codes)) return NOTHING_OPEN;
     if (codes & (LIM_VIEW_LEFT | LIM_VIEW_RIGHT)) nearest->retained.overhangs = true;
-    return take(nearest, record, at, n, &shape, moving);
+    return collect_shape(nearest, record, at, n, &shape, moving);
 }
 
 /* What follows a polygon. false: a pool is exhausted. */
@@ -288,9 +282,9 @@ bool lim_collect_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *
 #if LIM_HAS_MOVERS
 enum lim_collected lim_collect_moving(struct lim_nearest *nearest, struct lim_view *view,
                                       const struct lim_scene *object, const LIM_FLASH lim_index *record,
-                                      uint16_t first_word)
+                                      uint16_t first_texture)
 {
-    const struct moving_look moving = {object, first_word};
+    const struct moving_look moving = {object, first_texture};
 
     if (!is_for_fast_path(nearest, record)) return LIM_COLLECT_SLOWLY;
     switch (collect_fast(nearest, view, object, record, &moving)) {
@@ -318,7 +312,7 @@ static inline enum outcome collect_fast_entry(struct lim_nearest *nearest, const
 
     if (!at || !lim_mesh_leaf_corners(leaf, record, n, at) || !lim_edge_bounds_plain(&shape, at, n)) return SLOW_PATH;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons++;
-    return take(nearest, record, at, n, &shape, NULL);
+    return collect_shape(nearest, record, at, n, &shape, NULL);
 }
 
 static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)

@@ -63,11 +63,11 @@ static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_
 }
 
 static LIM_IF_CALLED int take_mover(void *ctx, struct lim_view *view, const struct lim_scene *object,
-                                    const LIM_FLASH lim_index *record, uint16_t first_word)
+                                    const LIM_FLASH lim_index *record, uint16_t first_texture)
 {
     struct lim_nearest *nearest = ctx;
 
-    switch (lim_collect_moving(nearest, view, object, record, first_word)) {
+    switch (lim_collect_moving(nearest, view, object, record, first_texture)) {
     case LIM_COLLECT_SLOWLY:
         return LIM_MOVER_DRAW;
     case LIM_COLLECT_EXHAUSTED:

@@ -6,7 +6,11 @@
 #ifndef LIM_NEAREST_H
 #define LIM_NEAREST_H
 
+#include "eye.h"
+#include "lines/gaps.h"
+#include "lines/span.h"
 #include "orders/painter.h"
+#include "view/cull.h"
 
 /* The lists of movers, or of a sorted method's polygons; NULL where neither is linked. */
 static inline struct lim_sorter *lim_nearest_sorter(const struct lim_nearest *nearest)
@@ -49,13 +53,20 @@ bool lim_collect_polygon(struct lim_nearest *nearest, const struct lim_screen_po
 enum lim_collected { LIM_COLLECTED, LIM_COLLECT_EXHAUSTED, LIM_COLLECT_SLOWLY };
 enum lim_collected lim_collect_moving(struct lim_nearest *nearest, struct lim_view *view,
                                       const struct lim_scene *object, const LIM_FLASH lim_index *record,
-                                      uint16_t first_word);
+                                      uint16_t first_texture);
 
 /* For all polygons of a mesh leaf whose run begins with this record. */
 bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_index *run);
 
 /* Draws the open view together, and CULL's planes with it. */
-void lim_nearest_shrink(struct lim_nearest *nearest);
+static inline void lim_nearest_shrink(struct lim_nearest *nearest)
+{
+    const bool smaller = lim_spans_shrink(&nearest->spans);
+
+    if (LIM_HAS_CULL && smaller)
+        lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8,
+                     &nearest->spans.open);
+}
 
 /* Pass one for a piece of a projected polygon. false: a pool is exhausted. */
 bool lim_collect_piece(struct lim_nearest *nearest, uint16_t entry, const struct lim_screen_polygon *whole);

@@ -77,9 +77,11 @@ static int fill_piece(struct lim_painter *painter, const struct lim_textured_spa
 
     if (!line) return LIM_ERR_TARGET;
     if (LIM_HAS_WIREFRAME && lim_wireframe_of(pass)) {
-        const struct lim_wire wire = lim_wire_of(polygon, lim_wireframe_of(pass), lim_background_of(pass), span->y);
+        const struct lim_wire wire =
+            lim_wire_of(polygon, lim_wireframe_of(pass), lim_background_of(pass), (int16_t)span->y);
         lim_wire_fill(line, &wire, x0, x1);
-    } else if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE)
+    } else if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE &&
+               !(LIM_HAS_MASKED && lim_screen_texture(polygon) != LIM_NONE))
         lim_blend(line, x0, (uint16_t)(x1 - x0), polygon->colour, lim_alpha_of(polygon));
     else if (LIM_HAS_TEXTURE && lim_screen_texture(polygon) != LIM_NONE)
         lim_texture_fill(span, line, x0, x1, lim_stats_of(pass));
@@ -93,8 +95,8 @@ static int fill_clamped(struct lim_painter *painter, const struct lim_textured_s
                         const struct lim_screen_polygon *polygon)
 {
     struct lim_pass *const pass = painter->pass;
-    const int16_t w_px = (int16_t)pass->target.w_px;
-    const int16_t x0 = span->left < 0 ? 0 : span->left, x1 = span->right > w_px ? w_px : span->right;
+    const int32_t w_px = pass->target.w_px;
+    const int32_t x0 = span->left < 0 ? 0 : span->left, x1 = span->right > w_px ? w_px : span->right;
 
     if (x0 >= x1) return 0;
     if (LIM_HAS_STATS) lim_stats_of(pass)->pixels_painted += (uint32_t)(x1 - x0);

@@ -199,9 +199,12 @@ void lim_nearest_init(struct lim_nearest *nearest, void *mem, size_t mem_b)
     struct lim_view_cached *cache = lim_mem_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
     if (!is_sorted) stack = lim_mem_cut(&at, pass->scene->limits.depth * sizeof *stack);
     spans->lines = lim_mem_cut(&at, pass->target.h_px * sizeof(struct lim_line));
-    if (LIM_HAS_TRANSPARENT)
-        *nearest->paint.layers =
-            (struct lim_layers){lim_mem_cut(&at, LIM_LAYERS_MEM_B(*shares.layers)), *shares.layers, 0, false};
+    if (LIM_HAS_TRANSPARENT) {
+        nearest->paint.layers->own = lim_mem_cut(&at, LIM_LAYERS_MEM_B(*shares.layers));
+        nearest->paint.layers->own_size = *shares.layers;
+        nearest->paint.layers->used = 0;
+        nearest->paint.layers->exhausted = nearest->paint.layers->in_idle = false;
+    }
     if (LIM_HAS_MESH_LEAVES && !is_sorted)
         lim_mesh_leaf_lend(*nearest->leaf, lim_mem_cut(&at, lim_mesh_leaf_mem_b(&pass->scene->limits)),
                            &pass->scene->limits);

@@ -331,6 +331,7 @@ static bool set_even(const struct lim_texturing *texturing, const struct seen *s
     out->even.place = (place[0] << 16 | (uint16_t)place[1]) - out->level.step * (uint32_t)around->x -
                       out->even.y * (uint32_t)around->y;
     lim_texture_set_level(texturing->scene, level, out);
+    if (LIM_HAS_SKY) out->pace = 0; /* it is no sky */
     return true;
 }
 
@@ -352,27 +353,46 @@ static void set_planes(const struct lim_texturing *texturing, const struct seen 
     lim_texture_settle(texturing, around, seen->shift, out);
 }
 
-/* Whose word it is, and which of its own. */
-static inline const struct lim_texturing *owner_of(const struct lim_texturing *texturing, uint16_t *word)
+/* Whose number it is, and which of its own. */
+static inline const struct lim_texturing *owner_of(const struct lim_texturing *texturing, uint16_t *number)
 {
-    if (!LIM_HAS_MOVERS || *word < texturing->scene->polygon_words) return texturing;
+    if (!LIM_HAS_MOVERS || *number < lim_texture_numbers(texturing->scene)) return texturing;
     do
         texturing = *texturing->moved;
-    while (*word < *texturing->first_word);
-    *word = (uint16_t)(*word - *texturing->first_word);
+    while (*number < *texturing->first_texture);
+    *number = (uint16_t)(*number - *texturing->first_texture);
     return texturing;
 }
 
-void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
+/* lim_screen_polygon.texture, of a scene, and the words that are there. */
+static inline uint16_t number_of_mapping(const struct lim_scene *scene, uint16_t number,
+                                         const LIM_FLASH lim_index *words)
+{
+    return (uint16_t)(lim_mappings_name_textures(scene) ? number : words[1]);
+}
+
+static inline uint16_t number_of_texture(const struct lim_scene *scene, uint16_t number,
+                                         const LIM_FLASH lim_index *words)
+{
+    return (uint16_t)(lim_mappings_name_textures(scene) ? LIM_MAPPING_TEXTURE(&scene->mappings[number]) : words[0]);
+}
+
+void lim_texture_set(const struct lim_texturing *texturing, uint16_t number, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out)
 {
-    texturing = owner_of(texturing, &word);
-    const LIM_FLASH lim_index *words = &texturing->scene->polygons[word];
+    texturing = owner_of(texturing, &number);
+    const LIM_FLASH lim_index *words = &texturing->scene->polygons[number]; /* there are as many, in any scene */
     const struct around around = around_points(texturing, at, n);
     struct seen seen;
 
-    out->texture = &texturing->scene->textures[words[0]];
-    see(texturing, &texturing->scene->mappings[words[1]], &seen);
+    const struct lim_scene *const scene = texturing->scene;
+    const LIM_FLASH struct lim_mapping *const mapping = &scene->mappings[number_of_mapping(scene, number, words)];
+    out->texture = &scene->textures[number_of_texture(scene, number, words)];
+    if (LIM_HAS_SKY && lim_texture_is_sky(out->texture)) {
+        lim_sky_set(texturing, mapping, out);
+        return;
+    }
+    see(texturing, mapping, &seen);
     out->is_even = set_even(texturing, &seen, &around, out);
     if (!out->is_even) set_planes(texturing, &seen, &around, out);
 }

@@ -17,6 +17,7 @@
 #define LIM_TEXTURE_H
 
 #include "camera.h"
+#include "pixels/sky.h"
 #include "pixels/texels.h"
 #include "pixels/texture_planes.h"
 
@@ -39,6 +40,15 @@ struct lim_texture_line {
 void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
                        const struct lim_camera *camera);
 
+/* lim_screen_polygon.texture of its polygons is less. */
+static inline lim_index lim_texture_numbers(const struct lim_scene *scene)
+{
+#if LIM_HAS_TEXTURE
+    if (lim_mappings_name_textures(scene)) return scene->mapping_count;
+#endif
+    return scene->polygon_words;
+}
+
 /* The same of an object that moves, whose textures are those of the frame's scene, with view, camera and the camera's
  * axes as it sees them. */
 void lim_texture_begin_turned(struct lim_texturing *texturing, const struct lim_scene *object,
@@ -48,36 +58,29 @@ void lim_texture_begin_turned(struct lim_texturing *texturing, const struct lim_
 static inline void lim_texture_forget_moved(struct lim_texturing *frame)
 {
     *frame->moved = NULL;
-    *frame->words = 0;
+    *frame->numbers = 0;
 }
 
-/* The words of an object's records, so many, come behind all that there are so far. false: 16 bits do not count them.
- */
+/* The textured polygons of an object, so many, are numbered behind all that there are so far. false: 16 bits do not
+ * count them. */
 static inline bool lim_texture_add_moved(struct lim_texturing *frame, struct lim_texturing *texturing, lim_index first,
-                                         lim_index words)
+                                         lim_index numbers)
 {
-    const lim_index from = *frame->moved ? *frame->words : first;
+    const lim_index from = *frame->moved ? *frame->numbers : first;
 
-    *texturing->first_word = LIM_NONE;
-    if (from >= LIM_NONE || words > (lim_index)LIM_NONE - from) return false;
-    *texturing->first_word = (uint16_t)from;
+    *texturing->first_texture = LIM_NONE;
+    if (from >= LIM_NONE || numbers > (lim_index)LIM_NONE - from) return false;
+    *texturing->first_texture = (uint16_t)from;
     *texturing->moved = *frame->moved;
     *frame->moved = texturing;
-    *frame->words = (uint16_t)(from + words);
+    *frame->numbers = (uint16_t)(from + numbers);
     return true;
 }
 
-/* Once a polygon; its record names texture and mapping at this word of lim_scene.polygons, or of an object's behind
- * lim_texturing.first_word. `at`: its n corners on the screen; none of a piece, whose lines alone are known. */
-void lim_texture_set(const struct lim_texturing *texturing, uint16_t word, const struct lim_point *at, uint8_t n,
+/* Once a polygon; `number` as lim_screen_polygon.texture, or of an object's behind lim_texturing.first_texture. `at`:
+ * its n corners on the screen; none of a piece, whose lines alone are known. */
+void lim_texture_set(const struct lim_texturing *texturing, uint16_t number, const struct lim_point *at, uint8_t n,
                      struct lim_gradients *out);
-
-/* A line of a textured polygon: pixels left <= x < right, before anything is cut off. */
-struct lim_textured_span {
-    const struct lim_texturing *texturing;
-    struct lim_gradients *gradients;
-    int16_t y, left, right;
-};
 
 /* The stretch of the line that pixel x is in, left <= x < right, on the screen; the next one. Stretches begin at left,
  * or the screen's side, whatever of the line is visible: all orders of drawing paint the same. */
@@ -97,7 +100,15 @@ static inline uint32_t lim_texture_even_place(const struct lim_texture_even *eve
 }
 
 /* Paints pixels x0 <= x < x1 of a line that is not even. Returns how often it divided, if LIM_HAS_STATS. */
-uint16_t lim_texture_fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0, int32_t x1);
+uint16_t lim_texture_fill_flat(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0, int32_t x1);
+uint16_t lim_texture_fill_slanted(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0, int32_t x1);
+
+static inline uint16_t lim_texture_fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0,
+                                                  int32_t x1)
+{
+    if (!span->gradients->planes.depth.x) return lim_texture_fill_flat(span, pixels, x0, x1);
+    return lim_texture_fill_slanted(span, pixels, x0, x1);
+}
 
 /* Of any line. */
 static inline void lim_texture_fill(const struct lim_textured_span *span, uint16_t *pixels, uint16_t x0, uint16_t x1,
@@ -106,6 +117,10 @@ static inline void lim_texture_fill(const struct lim_textured_span *span, uint16
     const struct lim_gradients *const gradients = span->gradients;
 
     if (gradients->is_even) {
+        if (LIM_HAS_SKY && gradients->pace == LIM_PACE_SKY) {
+            lim_sky_fill(span, pixels, x0, x1);
+            return;
+        }
         gradients->paint(pixels + x1, (uint_fast16_t)(x1 - x0),
                          lim_texture_even_place(&gradients->even, gradients->level.step, x0, span->y),
                          &gradients->level);

@@ -32,39 +32,6 @@ static inline int32_t at_twice(int32_t at, int32_t plane_x, int32_t twice_x)
     return (int32_t)((uint32_t)at + (uint32_t)plane_x * (uint32_t)twice_x);
 }
 
-/* not_negative(): or 0, for |x| < 32. square_of_high(): of the upper half. */
-#if LIM_DUAL_MULTIPLY && defined(__arm__)
-
-static inline int32_t not_negative(int32_t x)
-{
-    int32_t positive;
-
-    __asm__("usat %0, #5, %1" : "=r"(positive) : "r"(x));
-    return positive;
-}
-
-static inline int32_t square_of_high(int32_t x)
-{
-    int32_t square;
-
-    __asm__("smultt %0, %1, %1" : "=r"(square) : "r"(x));
-    return square;
-}
-
-#else
-
-static inline int32_t not_negative(int32_t x)
-{
-    return x & ~(x >> 31);
-}
-
-static inline int32_t square_of_high(int32_t x)
-{
-    return (x >> 16) * (x >> 16);
-}
-
-#endif
-
 static LIM_IN_EACH_CALLER void suit_level(const struct lim_texture_line *line, uint32_t depth)
 {
     const struct lim_texture_planes *planes = &line->gradients->planes;
@@ -108,16 +75,16 @@ static LIM_IN_EACH_CALLER void stretch(struct lim_texture_line *line)
     const int32_t at_middle = at_twice(line->depth, planes->depth.x, twice_x);
     const uint32_t depth = (uint32_t)(at_middle < planes->depth_min ? planes->depth_min : at_middle);
     struct course course;
-    uint8_t zeros;
+    uint32_t zeros;
 
     suit_level(line, depth - (uint32_t)half_depth);
     if (LIM_HAS_STATS) line->divisions++;
     line->middle_depth = depth;
     course.recip_q31 = lim_texture_reciprocal_part(depth, &zeros);
-    course.down = not_negative(line->gradients->shift - zeros);
+    course.down = lim_texture_not_negative(line->gradients->shift - (int32_t)zeros);
     course.half_depth = shifted_left(half_depth, zeros);
     course.q_q32 = shifted_left(lim_texture_part(course.half_depth, course.recip_q31), 2);
-    course.q2_q32 = square_of_high(course.q_q32);
+    course.q2_q32 = lim_texture_square(course.q_q32);
     const struct course_of u = course_of(&course, at_twice(line->uv[0], planes->uv[0].x, twice_x),
                                          (int32_t)((uint32_t)planes->uv[0].x * n_px));
     const struct course_of v = course_of(&course, at_twice(line->uv[1], planes->uv[1].x, twice_x),
@@ -150,30 +117,42 @@ static LIM_IN_EACH_CALLER void other_half(struct lim_texture_line *line)
     line->end = line->next;
 }
 
-static LIM_IN_EACH_CALLER void begin_stretches(struct lim_texture_line *line, const struct lim_textured_span *span,
-                                               int32_t x)
+/* How long stretches of a line are that has `depth` where x is 0, and which of them pixel x is in. */
+static LIM_IN_EACH_CALLER void divide_line(struct lim_texture_line *line, const struct lim_textured_span *span,
+                                           int32_t depth, int32_t x)
 {
     struct lim_gradients *const gradients = span->gradients;
     const struct lim_texture_planes *const planes = &gradients->planes;
-    const int32_t left = span->left < 0 ? 0 : span->left, twice_y = 2 * span->y;
+    const int32_t left = span->left < 0 ? 0 : span->left;
     const int32_t right = lim_texture_lesser(span->right, span->texturing->w_px);
-    const uint32_t enough = 32u - clz_u32((uint32_t)(right - left));
     uint32_t pace = gradients->pace;
 
     line->texturing = span->texturing;
     line->gradients = gradients;
-    line->depth = at_twice(planes->depth.at, planes->depth.y, twice_y);
-    line->uv[0] = at_twice(planes->uv[0].at, planes->uv[0].y, twice_y);
-    line->uv[1] = at_twice(planes->uv[1].at, planes->uv[1].y, twice_y);
-    if (!pace)
-        pace = lim_texture_pace(gradients,
-                                at_twice(line->depth, planes->depth.x, 2 * (planes->depth.x < 0 ? right - 1 : left)));
-    /* A stretch that goes on twice as far as the line is long enough. */
-    const uint32_t own_bits = pace >> 1, bits = own_bits < enough ? own_bits : enough;
-    line->bent = pace & (own_bits <= enough);
+    if (!pace) {
+        const int32_t far_x = planes->depth.x < 0 ? right - 1 : left;
+        pace = lim_texture_pace(gradients, at_twice(depth, planes->depth.x, 2 * far_x));
+    }
+    uint32_t bits = pace >> 1, bent = pace & 1;
+    /* One that goes on twice as far as the line is long enough. */
+    for (; !((uint32_t)(right - left) * 2 >> bits); bits--)
+        bent = 0;
+    line->bent = bent;
     line->n_px = UINT32_C(1) << bits;
     line->bits = bits;
     line->next = left + ((x - left) >> bits << bits);
+}
+
+static LIM_IN_EACH_CALLER void begin_stretches(struct lim_texture_line *line, const struct lim_textured_span *span,
+                                               int32_t x)
+{
+    const struct lim_texture_planes *const planes = &span->gradients->planes;
+    const int32_t twice_y = 2 * span->y;
+
+    line->depth = at_twice(planes->depth.at, planes->depth.y, twice_y);
+    line->uv[0] = at_twice(planes->uv[0].at, planes->uv[0].y, twice_y);
+    line->uv[1] = at_twice(planes->uv[1].at, planes->uv[1].y, twice_y);
+    divide_line(line, span, line->depth, x);
 }
 
 void lim_texture_line_begin(struct lim_texture_line *line, const struct lim_textured_span *span, int16_t x)
@@ -213,7 +192,45 @@ static LIM_IN_EACH_CALLER int32_t fill_until(struct lim_texture_line *line, uint
     return until;
 }
 
-uint16_t lim_texture_fill_stretches(const struct lim_textured_span *span, uint16_t *pixels, int32_t x, int32_t x1)
+/* A place's plane and its gradient of n pixels, as the reciprocal has them. */
+static inline int32_t flat_part(int32_t x, int32_t recip_q31, int32_t down)
+{
+    return lim_texture_part(x, recip_q31) >> down;
+}
+
+/* Of a line that is equally far away all over, as floors have them: one reciprocal does, and nothing is bent. */
+uint16_t lim_texture_fill_flat(const struct lim_textured_span *span, uint16_t *pixels, int32_t x, int32_t x1)
+{
+    struct lim_gradients *const gradients = span->gradients;
+    const struct lim_texture_planes *const planes = &gradients->planes;
+    const int32_t twice_y = 2 * span->y, at = at_twice(planes->depth.at, planes->depth.y, twice_y);
+    const uint32_t depth = (uint32_t)(at < planes->depth_min ? planes->depth_min : at);
+    struct lim_texture_line line;
+    uint32_t zeros;
+
+    divide_line(&line, span, at, x);
+    suit_level(&line, depth);
+    const int32_t recip_q31 = lim_texture_reciprocal_part(depth, &zeros);
+    const int32_t down = lim_texture_not_negative(gradients->shift - (int32_t)zeros), n_px = (int32_t)line.n_px & ~1;
+    const int32_t u_gain =
+        plus_4(n_px, flat_part((int32_t)((uint32_t)planes->uv[0].x * (uint32_t)n_px), recip_q31, down));
+    const int32_t v_gain =
+        plus_4(n_px, flat_part((int32_t)((uint32_t)planes->uv[1].x * (uint32_t)n_px), recip_q31, down));
+    line.walk.step = lim_texture_packed((uint32_t)(u_gain >> (line.bits + 1)), (uint32_t)(v_gain >> (line.bits + 1)));
+    do {
+        const int32_t twice_x = 2 * line.next + n_px;
+        const int32_t u_at = at_twice(at_twice(planes->uv[0].at, planes->uv[0].y, twice_y), planes->uv[0].x, twice_x);
+        const int32_t v_at = at_twice(at_twice(planes->uv[1].at, planes->uv[1].y, twice_y), planes->uv[1].x, twice_x);
+        line.walk.place = pair_of_lows((uint32_t)flat_part(v_at, recip_q31, down) + planes->eye_place,
+                                       (uint32_t)flat_part(u_at, recip_q31, down) + (planes->eye_place >> 16));
+        line.middle = line.next + (n_px >> 1);
+        line.next += (int32_t)line.n_px;
+        x = fill_until(&line, pixels, x, line.next, x1);
+    } while (x != x1);
+    return LIM_HAS_STATS;
+}
+
+uint16_t lim_texture_fill_slanted(const struct lim_textured_span *span, uint16_t *pixels, int32_t x, int32_t x1)
 {
     struct lim_texture_line line;
 

@@ -38,6 +38,24 @@ static int16_t even_q4_of(const struct lim_texture_planes *planes, int8_t shift,
     return (int16_t)(even_q4 > INT16_MAX ? INT16_MAX : even_q4 < INT16_MIN ? INT16_MIN : even_q4);
 }
 
+uint32_t lim_texture_pace(const struct lim_gradients *gradients, int32_t far_depth)
+{
+    const struct lim_texture_planes *planes = &gradients->planes;
+    const LIM_FLASH struct lim_texture *texture = gradients->texture;
+    const uint32_t depth = (uint32_t)(far_depth < planes->depth_min ? planes->depth_min : far_depth);
+    uint32_t zeros;
+    (void)normalise_depth(depth, &zeros);
+    const int32_t level_q4 = lim_texture_level_q4(planes->level_q4, depth, (uint8_t)zeros),
+                  last_q4 = (texture->levels - 1) * 16;
+    const int32_t shown_q4 = level_q4 < 0 ? 0 : lim_texture_lesser(level_q4, last_q4);
+    const int32_t even_bits = (planes->even_q4 - 2 * level_q4 + shown_q4) >> 5;
+    const int32_t most =
+        lim_texture_lesser(LIM_TEXTURE_MOST_BITS - texture->w_bits, gradients->slope_zeros - (int32_t)zeros - 3);
+
+    if (most <= 0 || even_bits < 0) return 0;
+    return (uint32_t)(even_bits < most ? 2 * even_bits + 3 : 2 * most);
+}
+
 /* Lines ask for pixels, counted from the screen's corner. */
 static inline void from_corner(const struct lim_texturing *texturing, struct lim_texture_plane *plane)
 {
@@ -66,6 +84,27 @@ void lim_texture_settle(const struct lim_texturing *texturing, const struct arou
     from_corner(texturing, &planes->uv[1]);
 }
 
+/* Of a masked texture's texels of index 0 nothing is painted. One loop serves all widths, as few pixels are such. */
+static lim_texels_painter paint_masked_texels;
+
+static LIM_IF_CALLED void paint_masked_texels(uint16_t *end, uint_fast16_t n, uint32_t place,
+                                              const struct lim_texture_level *level)
+{
+    const LIM_FLASH uint8_t *const texels = level->texels;
+    const LIM_FLASH uint16_t *const palette = level->palette;
+    const uint32_t w_bits = level->w_bits, rows_mask = level->rows_mask >> w_bits, columns = 16 - w_bits;
+    const uint32_t step = level->step;
+    uint16_t *to = end - n;
+
+    do {
+        const uint32_t row = (uint32_t)(uint16_t)place >> columns & rows_mask;
+        const uint_fast8_t texel = texels[(row << w_bits) + (place >> 16 >> columns)];
+        if (texel) *to = palette[texel];
+        to++;
+        place += step;
+    } while (to != end);
+}
+
 void lim_texture_set_level(const struct lim_scene *scene, uint8_t number, struct lim_gradients *gradients)
 {
     struct lim_texture_level *const level = &gradients->level;
@@ -73,6 +112,7 @@ void lim_texture_set_level(const struct lim_scene *scene, uint8_t number, struct
     lim_texels_take_level(scene, gradients->texture, number, level);
     level->number = number;
     gradients->paint = LIM_OPTIMISE_SIZE ? lim_texels_paint_any : lim_texels_painters[level->w_bits];
+    if (LIM_HAS_MASKED && lim_texture_is_masked(gradients->texture)) gradients->paint = paint_masked_texels;
 }
 
 /* The least depth whose log2 is that, as lim_texture_level_q4() has it. */
@@ -95,8 +135,9 @@ void lim_texture_suit_level(const struct lim_scene *scene, struct lim_gradients 
 {
     struct lim_texture_planes *planes = &gradients->planes;
     const uint8_t levels = gradients->texture->levels;
-    const uint8_t zeros = clz_u32(depth | 1); /* where a stretch begins depth may be anything */
-    const uint8_t number = lim_texture_level_of(lim_texture_level_q4(planes->level_q4, depth, zeros), levels);
+    uint32_t zeros;
+    (void)normalise_depth(depth | 1, &zeros); /* where a stretch begins depth may be anything */
+    const uint8_t number = lim_texture_level_of(lim_texture_level_q4(planes->level_q4, depth, (uint8_t)zeros), levels);
     const int32_t from_q4 = third_up(2 * (planes->level_q4 - 16 * number - 15));
     const int32_t to_q4 = third_up(2 * (planes->level_q4 - 16 * number + 1));
     const uint32_t from = number == levels - 1 ? 0 : texture_depth_of(from_q4);

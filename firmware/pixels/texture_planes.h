@@ -33,10 +33,54 @@ static inline int32_t lim_texture_reciprocal(uint32_t depth, uint8_t *zeros)
     return (int32_t)((recip_q24(depth, zeros) >> 9) * 65536);
 }
 
-/* The same for lim_texture_part() alone: which of its lower bits are set does not matter. */
-static inline int32_t lim_texture_reciprocal_part(uint32_t depth, uint8_t *zeros)
+/* As normalise_u32(), for what is seldom below 2^24. */
+static inline uint32_t normalise_depth(uint32_t depth, uint32_t *zeros)
 {
-    return LIM_HAS_LIMBS ? (int32_t)recip_q31_of(depth, zeros) : (int32_t)(recip_q24(depth, zeros) << 7);
+    uint32_t n = 0;
+
+    if (LIM_HAS_CLZ) {
+        *zeros = clz_u32(depth);
+        return depth << *zeros;
+    }
+    for (; LIM_UNLIKELY(!(depth >> 24)); depth <<= 8)
+        n += 8;
+    if (!(depth >> 28)) {
+        n += 4;
+        depth <<= 4;
+    }
+    if (!(depth >> 30)) {
+        n += 2;
+        depth <<= 2;
+    }
+    if (!(depth >> 31)) {
+        n++;
+        depth <<= 1;
+    }
+    *zeros = n;
+    return depth;
+}
+
+/* As recip_mantissa_q24(), whose table's entry GCC would find twice. */
+static inline uint32_t recip_of_depth_q24(uint32_t mantissa_q31)
+{
+    if (!LIM_WRITTEN_THUMB || !LIM_RECIP_TABLE) return recip_mantissa_q24(mantissa_q31);
+    const LIM_FLASH uint16_t *entry_q16 = &lim_recip_table_q16[mantissa_q31 << 1 >> 24];
+    FOUND_FROM(entry_q16);
+    const uint32_t left_q16 = entry_q16[0], fall_q16 = left_q16 - entry_q16[1];
+
+    return (left_q16 << 8) - fall_q16 * (mantissa_q31 << 9 >> 24);
+}
+
+/* The same as lim_texture_reciprocal() for lim_texture_part() alone: which of its lower bits are set does not matter.
+ */
+static inline int32_t lim_texture_reciprocal_part(uint32_t depth, uint32_t *zeros)
+{
+    uint8_t shift;
+
+    if (!LIM_HAS_LIMBS) return (int32_t)(recip_of_depth_q24(normalise_depth(depth, zeros)) << 7);
+    const int32_t recip_q31 = (int32_t)recip_q31_of(depth, &shift);
+    *zeros = shift;
+    return recip_q31;
 }
 
 /* floor(x r / 2^32) of such a reciprocal. */
@@ -46,8 +90,24 @@ static inline int32_t lim_texture_times(int32_t x, int32_t recip_q31)
 }
 
 /* lim_texture_part(): floor(x y / 2^32), of whose y draft and fast take the upper 16 bits. lim_texture_plus_part():
- * that and a. */
+ * that and a. lim_texture_not_negative(): x or 0, for |x| < 32. lim_texture_square(): of the upper half. */
 #if LIM_DUAL_MULTIPLY && defined(__arm__)
+
+static inline int32_t lim_texture_not_negative(int32_t x)
+{
+    int32_t positive;
+
+    __asm__("usat %0, #5, %1" : "=r"(positive) : "r"(x));
+    return positive;
+}
+
+static inline int32_t lim_texture_square(int32_t x)
+{
+    int32_t square;
+
+    __asm__("smultt %0, %1, %1" : "=r"(square) : "r"(x));
+    return square;
+}
 
 static inline int32_t lim_texture_part(int32_t x, int32_t y)
 {
@@ -69,11 +129,21 @@ static inline int32_t lim_texture_plus_part(int32_t a, int32_t x, int32_t y)
 
 #else
 
+static inline int32_t lim_texture_not_negative(int32_t x)
+{
+    return x & ~(x >> 31);
+}
+
+static inline int32_t lim_texture_square(int32_t x)
+{
+    return (x >> 16) * (x >> 16);
+}
+
 static inline int32_t lim_texture_part(int32_t x, int32_t y)
 {
     if (LIM_HAS_LIMBS) return mul_high_s32(x, y);
     if (LIM_LONG_MULTIPLY) return mul_high_s32(x, (int32_t)((uint32_t)y & ~UINT32_C(0xFFFF)));
-    return (x >> 16) * (y >> 16) + ((x & 0xFFFF) * (y >> 16) >> 16);
+    return (x >> 16) * (y >> 16) + ((int32_t)LOW_16(x) * (y >> 16) >> 16);
 }
 
 static inline int32_t lim_texture_plus_part(int32_t a, int32_t x, int32_t y)
@@ -129,21 +199,7 @@ enum { LIM_TEXTURE_MOST_BITS = 16 - LIM_TEXTURE_OFF_BITS };
 
 /* How long a stretch may be where nothing is farther away than this, where texels are closest together: 2^(pace / 2)
  * pixels; if pace is odd only its halves may be even. None comes to less than half of the depth. */
-static LIM_IN_EACH_CALLER uint32_t lim_texture_pace(const struct lim_gradients *gradients, int32_t far_depth)
-{
-    const struct lim_texture_planes *planes = &gradients->planes;
-    const LIM_FLASH struct lim_texture *texture = gradients->texture;
-    const uint32_t depth = (uint32_t)(far_depth < planes->depth_min ? planes->depth_min : far_depth);
-    const uint8_t zeros = clz_u32(depth);
-    const int32_t level_q4 = lim_texture_level_q4(planes->level_q4, depth, zeros), last_q4 = (texture->levels - 1) * 16;
-    const int32_t shown_q4 = level_q4 < 0 ? 0 : lim_texture_lesser(level_q4, last_q4);
-    const int32_t even_bits = (planes->even_q4 - 2 * level_q4 + shown_q4) >> 5;
-    const int32_t most =
-        lim_texture_lesser(LIM_TEXTURE_MOST_BITS - texture->w_bits, gradients->slope_zeros - zeros - 3);
-
-    if (most <= 0 || even_bits < 0) return 0;
-    return (uint32_t)(even_bits < most ? 2 * even_bits + 3 : 2 * most);
-}
+uint32_t lim_texture_pace(const struct lim_gradients *gradients, int32_t far_depth);
 
 /* A level of a polygon's texture, which is set; and that of a depth, with all depths that have it. */
 void lim_texture_set_level(const struct lim_scene *scene, uint8_t number, struct lim_gradients *gradients);

@@ -270,7 +270,7 @@ static LIM_IF_CALLED uint16_t colour_of(const struct lim_sorter *sorter, const s
 static LIM_IF_CALLED void number_texture(const struct lim_sorter *sorter, struct lim_screen_polygon *out,
                                          uint16_t mover)
 {
-    const uint16_t first = lim_mover_first_word(sorter->movers, mover), own = lim_screen_texture(out);
+    const uint16_t first = lim_mover_first_texture(sorter->movers, mover), own = lim_screen_texture(out);
 
     *out->texture = first == LIM_NONE || own == LIM_NONE ? (uint16_t)LIM_NONE : (uint16_t)(first + own);
 }
@@ -334,7 +334,7 @@ static int draw_uncut(struct lim_sorter *sorter, uint16_t entry, const struct fa
     if (sink->take && !(LIM_HAS_LIGHT && sorter->movers->light->on)) {
         struct lim_view *const view = lim_mover_view(sorter->movers, face->mover);
         const int err = sink->take(sink->ctx, view, sorter->movers->instances[face->mover].object, face->record,
-                                   lim_mover_first_word(sorter->movers, face->mover));
+                                   lim_mover_first_texture(sorter->movers, face->mover));
         if (err != LIM_MOVER_DRAW) return err;
     }
     return draw_cut(sorter, entry, face, sink);

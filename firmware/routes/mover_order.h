@@ -13,10 +13,10 @@ uint16_t lim_movers_order(struct lim_sorter *sorter, uint16_t list, bool back_to
 struct lim_mover_sink {
     /* A polygon, or the piece `entry` of one; LIM_NONE: it was never cut. */
     int (*draw)(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon, const struct lim_rect *open);
-    /* An object's record before it is projected, in the colour that it has, or with its texture (first_word:
-     * lim_mover_first_word()): LIM_MOVER_DRAW, to draw it then. Or NULL. */
+    /* An object's record before it is projected, in the colour that it has, or with its texture (first_texture:
+     * lim_mover_first_texture()): LIM_MOVER_DRAW, to draw it then. Or NULL. */
     int (*take)(void *ctx, struct lim_view *view, const struct lim_scene *object, const LIM_FLASH lim_index *record,
-                uint16_t first_word);
+                uint16_t first_texture);
     void *ctx;
     const struct lim_rect *open;
     bool back_to_front;

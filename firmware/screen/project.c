@@ -86,6 +86,7 @@ static void note_texture(struct lim_screen_polygon *out, const struct lim_scene 
     const uint16_t end = (uint16_t)((uint16_t)(record - scene->polygons) + lim_record_words(record[0]));
 
     *out->texture = has_one ? (uint16_t)(end - LIM_POLYGON_TEXTURE_WORDS) : LIM_NONE;
+    if (has_one && lim_mappings_name_textures(scene)) *out->texture = lim_record_mapping(record);
 }
 
 static inline uint8_t alpha_of(const LIM_FLASH lim_index *record)

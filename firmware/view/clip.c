@@ -8,16 +8,6 @@
 
 #include "math/fixed.h"
 
-void lim_clip_load(struct lim_clip_polygon *polygon, const struct lim_view *view, const struct lim_scene *scene,
-                   const LIM_FLASH lim_index *corners, uint8_t n)
-{
-    polygon->n = n;
-    for (uint_fast8_t k = 0; k < n; k++) {
-        lim_view_transform(view, scene, &scene->vertices[corners[k]], &polygon->at[k]);
-        if (LIM_HAS_WIREFRAME) lim_view_hide_edge(&polygon->at[k], false);
-    }
-}
-
 /* The near plane is 0; x has planes 1 and 2, y 3 and 4, to the left or top and to the right or bottom. */
 struct clip_plane {
     uint_fast8_t of;                /* x or y; the near plane has none: kept is 0 */

@@ -14,8 +14,15 @@ struct lim_clip_polygon {
 };
 
 /* Corners of a scene in view space, all edges of which are drawn. */
-void lim_clip_load(struct lim_clip_polygon *polygon, const struct lim_view *view, const struct lim_scene *scene,
-                   const LIM_FLASH lim_index *corners, uint8_t n);
+static inline void lim_clip_load(struct lim_clip_polygon *polygon, const struct lim_view *view,
+                                 const struct lim_scene *scene, const LIM_FLASH lim_index *corners, uint8_t n)
+{
+    polygon->n = n;
+    for (uint_fast8_t k = 0; k < n; k++) {
+        lim_view_transform(view, scene, &scene->vertices[corners[k]], &polygon->at[k]);
+        if (LIM_HAS_WIREFRAME) lim_view_hide_edge(&polygon->at[k], false);
+    }
+}
 
 /* polygons[0] is clipped, in two places by turns; returns the one with the result. Every point that is left has
  * near <= z and |x|, |y| <= 2z. */

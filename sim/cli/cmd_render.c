@@ -96,7 +96,7 @@ static bool allocate(struct render *render, struct error *err)
 static void print_notes(const struct compile_report *report)
 {
     for (size_t i = 0; i < report->note_count; i++)
-        notice("%s", report->notes[i].text);
+        if (!report->notes[i].is_detail) notice("%s", report->notes[i].text);
     if (report->mesh.clamped) notice("%zu faces have an opacity beyond 0..1, clamped", report->mesh.clamped);
     if (report->mesh.unmapped) notice("%zu faces have a texture, but no texture coordinates", report->mesh.unmapped);
 }

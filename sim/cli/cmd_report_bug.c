@@ -10,11 +10,11 @@
 #include "model/model.h"
 #include "readers/inputs.h"
 #include "readers/model_import.h"
+#include "scene/scene_files.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 
 enum { PATH_MAX_B = 4096, BLOCK_B = 1 << 16 };
@@ -163,10 +163,9 @@ static bool pack_input(struct packing *packing, const char *path, struct error *
 /* What it reads until it ends, well or not. */
 static void list_inputs(const struct packing *packing, FILE *list)
 {
-    const char *suffix = strrchr(packing->scene_path, '.');
     struct model model;
     struct error ignored;
-    if (suffix && strcasecmp(suffix, ".lim") == 0) return;
+    if (lim_file_is_named(packing->scene_path)) return;
     inputs_note_to(fileno(list));
     if (model_import(packing->scene_path, &model, &ignored)) model_free(&model);
     inputs_note_to(-1);

@@ -16,7 +16,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum { FRAMES_DEFAULT = 256, FRAMES_MAX = 100000 };
 static const double STRIDE_M = 0.25, LENGTH_MAX_M = 1000.0, PI = 3.14159265358979323846;
@@ -148,12 +147,6 @@ static bool parse(struct walking *walking, struct arguments *arguments, struct e
 
 /* The walk ----------------------------------------------------------------------------------- */
 
-static bool is_compiled(const char *path)
-{
-    const char *suffix = strrchr(path, '.');
-    return suffix && strcasecmp(suffix, ".lim") == 0;
-}
-
 /* A map's first player stands where it begins. */
 static bool begin_as_player(struct walking *walking, struct error *err)
 {
@@ -172,8 +165,9 @@ static bool begin_as_player(struct walking *walking, struct error *err)
 
 static bool load(struct walking *walking, struct error *err)
 {
-    return (is_compiled(walking->model) ? lim_file_read(walking->model, &walking->scene, err)
-                                        : compile_model(walking->model, &walking->compile, &walking->scene, err)) &&
+    return (lim_file_is_named(walking->model)
+                ? lim_file_read(walking->model, &walking->scene, err)
+                : compile_model(walking->model, &walking->compile, &walking->scene, err)) &&
            begin_as_player(walking, err) &&
            walk_path(&walking->scene, walking->model, &walking->wish, &walking->path, &walking->found, err);
 }

@@ -10,6 +10,7 @@
 #include "cli/completion.h"
 #include "cli/man_page.h"
 #include "cli/usage.h"
+#include "compiler/texture_budget.h"
 #include "levels/level_moves.h"
 #include "readers/companion.h"
 #include "readers/picture.h"
@@ -93,15 +94,25 @@ static int help_with(const char *name)
     return usage_print_command(name, stdout) ? EXIT_SUCCESS : no_command(name);
 }
 
-/* So is --doors NAME. */
-static bool take_doors(struct arguments *arguments, struct error *err)
+static bool take_doors(const char *name, struct error *err)
 {
-    enum level_doors doors = level_doors();
-    const char *name = NULL;
-    if (!arguments_value(arguments, "--doors", &name, err) || (name && !level_doors_parse(name, &doors, err)))
-        return false;
+    enum level_doors doors;
+    if (!level_doors_parse(name, &doors, err)) return false;
     level_doors_set(doors);
     return true;
+}
+
+/* --sky, --texture-budget and --doors, which do, too. */
+static bool take_of_models(const struct command *command, struct arguments *arguments, struct error *err)
+{
+    const char *sky = NULL, *budget = NULL, *doors = NULL;
+    if (!command->is_long) return true;
+    if (!arguments_value(arguments, "--sky", &sky, err) ||
+        !arguments_value(arguments, "--texture-budget", &budget, err) ||
+        !arguments_value(arguments, "--doors", &doors, err))
+        return false;
+    if (sky) pictures_set_sky(sky);
+    return (!budget || texture_budget_parse(budget, err)) && (!doors || take_doors(doors, err));
 }
 
 /* The time runs from here. */
@@ -119,7 +130,7 @@ static int run_command(const struct command *command, int argc, char **argv)
 {
     struct arguments arguments = {argv, command->is_long ? take_common(argc, argv) : argc};
     struct error err;
-    if ((!command->is_long || take_doors(&arguments, &err)) && begin_time(command, &arguments, &err))
+    if (take_of_models(command, &arguments, &err) && begin_time(command, &arguments, &err))
         return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);
     return EXIT_FAILURE;

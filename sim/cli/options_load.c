@@ -9,8 +9,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
-#include <strings.h>
 
 enum { MOST_LOOP_FRAMES = 600 };
 
@@ -32,8 +30,7 @@ static bool take_frames(const struct options *options, struct camera_path *path,
 
 bool options_scene_is_compiled(const struct options *options)
 {
-    const char *suffix = strrchr(options->scene_path, '.');
-    return suffix && strcasecmp(suffix, ".lim") == 0;
+    return lim_file_is_named(options->scene_path);
 }
 
 static bool load_scene(const struct options *options, struct compiled *scene, struct moving *moving, struct error *err)

@@ -145,6 +145,14 @@ static const struct usage_entry ENTRIES[] = {
     {MODELS | REPLAY | WALK,
      "  --doors NAME        of maps of WADs: closed, as they are (default), open, with lifts down, or move: objects\n"
      "                      that open or go down, wait and come back (all commands that read a MODEL)\n"},
+    {MODELS | REPLAY | WALK,
+     "  --sky MATERIAL      faces of that material are a sky: its picture is seen around the eye, endlessly far\n"
+     "                      away, 1024 columns of it all round and the horizon at 25/32 of its height, as in Doom\n"
+     "                      (all commands that read a MODEL; maps have theirs)\n"},
+    {MODELS | REPLAY | WALK,
+     "  --texture-budget KB  textures take so many KB at most, of 1000 bytes, palettes included: some get smaller, "
+     "some\n"
+     "                      show another or one colour, whichever loses least (all commands that read a MODEL)\n"},
     {0, "compile and measure, for a MODEL:\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
      "  --framebuffer       for boards with RAM for all pixels, 16 bits each: fewer instructions; for\n"

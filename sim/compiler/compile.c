@@ -8,6 +8,7 @@
 #include "compiler/faithful.h"
 #include "compiler/mesh_choice.h"
 #include "compiler/mesh_leaf_choice.h"
+#include "compiler/texture_budget.h"
 #include "core/core.h"
 #include "model/original.h"
 #include "readers/model_read.h"
@@ -96,7 +97,8 @@ bool compile_model(const char *path, const struct compile_options *options, stru
     if (!model_read(path, &options->orientation, &model, err)) return false;
     bool ok = !options->predict || source_take(path, &model, err);
     compile_options_light(options, &model);
-    ok = ok && (compile_part(&model, NULL, options, out, err) || error_prefix(err, path));
+    ok = ok && ((texture_budget_apply(&model, options, err) && compile_part(&model, NULL, options, out, err)) ||
+                error_prefix(err, path));
     model_free(&model);
     return ok;
 }

@@ -264,36 +264,11 @@ static bool check_grid(const struct compilation *work, struct error *err)
     return work->mesh->polygon_count > 0 || error_set(err, "no polygons");
 }
 
-/* Corners that a polygon has on the grid: neighbours that round to the same point are one. */
-static size_t corners_on_grid(const struct compilation *work, const struct mesh_polygon *polygon)
-{
-    const uint32_t *corners = &work->mesh->corners[polygon->first];
-    size_t count = 0;
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        const double *here = work->points.approx[corners[i]];
-        const double *next = work->points.approx[corners[i + 1 < polygon->count ? i + 1 : 0]];
-        count += floor(here[0] + 0.5) != floor(next[0] + 0.5) || floor(here[1] + 0.5) != floor(next[1] + 0.5) ||
-                 floor(here[2] + 0.5) != floor(next[2] + 0.5);
-    }
-    return count;
-}
-
-/* Splits only add to the words of polygons: what is too much before is not worth a tree. Only PAINT limits them: it
- * keeps where a polygon's texture is in 16 bits. */
+/* Splits only add to the polygons: what is too much before is not worth a tree. */
 static bool check_size(const struct compilation *work, struct error *err)
 {
-    size_t words = 0;
-    if (work->mesh->polygon_count > BSP_PIECES_MAX)
-        return error_set(err, "scene too large: %zu polygons, %d are the most", work->mesh->polygon_count,
-                         BSP_PIECES_MAX);
-    if (!work->mesh->texture_count) return true;
-    for (size_t i = 0; i < work->mesh->polygon_count; i++) {
-        const struct mesh_polygon *polygon = &work->mesh->polygons[i];
-        const size_t corners = corners_on_grid(work, polygon);
-        const size_t extra = polygon->transparency > 0;
-        if (corners >= 3) words += (LIM_POLYGON_HEAD_WORDS + corners + extra) * (polygon->two_sided ? 2 : 1);
-    }
-    return encoding_check_textured(words, err);
+    return work->mesh->polygon_count <= BSP_PIECES_MAX ||
+           error_set(err, "scene too large: %zu polygons, %d are the most", work->mesh->polygon_count, BSP_PIECES_MAX);
 }
 
 static unsigned side_or_default(unsigned side_px)

@@ -72,7 +72,8 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     out->last_record = out->word_count;
     const bool with_edges = work->with_edges && outline_hides(outline);
     uint16_t texture[LIM_POLYGON_TEXTURE_WORDS];
-    const bool is_textured = !polygon->transparency && texture_encode(&work->textures, polygon, &work->plane, texture);
+    const bool is_textured = (!polygon->transparency || texture_is_masked(work->bsp->mesh, polygon)) &&
+                             texture_encode(&work->textures, polygon, &work->plane, texture);
     word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0u) |
                       (with_edges ? LIM_POLYGON_EDGES : 0u) | (is_textured ? LIM_POLYGON_TEXTURE : 0u));
     word_add(out, rgb565_nearest(polygon->mapping ? texture_flat_colour(work->bsp->mesh, polygon) : polygon->colour));
@@ -343,7 +344,6 @@ static bool check_counts(const struct encoding *out, struct error *err)
 {
     if (out->node_count == 0) return error_set(err, "nothing is left of the scene on its grid");
     if (!encoding_check_count(out->leaf_vertices, "vertices of a mesh leaf", err)) return false;
-    if (out->textures.texture_count && !encoding_check_textured(out->word_count, err)) return false;
     return encoding_check_count(out->depth, "levels of the tree", err) && texture_arrays_check(&out->textures, err);
 }
 
@@ -374,6 +374,7 @@ bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, str
     uint32_t *heirs = find_heirs(&work);
     nodes_encode(&work, heirs);
     texture_encoder_finish(&work.textures);
+    if (out->word_count > UINT16_MAX) texture_name_by_mappings(out);
     out->depth = tree_depth(out);
     bool ok = check_counts(out, err);
     if (ok) encode_boxes(out);

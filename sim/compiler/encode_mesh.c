@@ -102,6 +102,9 @@ static bool check_polygons(const struct mesh *mesh, struct error *err)
         if (polygon->transparency)
             return error_set(err, "face %lu: as a mesh, transparent faces are not drawn; take another method",
                              (unsigned long)polygon->face);
+        if (polygon->mapping && mesh->textures[mesh->mappings[polygon->mapping].texture].sky.times)
+            return error_set(err, "face %lu: as a mesh, no sky is drawn; take another method",
+                             (unsigned long)polygon->face);
     }
     return true;
 }

@@ -17,6 +17,7 @@ enum { COUNT_MAX = 0xFFFF, SUM_MAX = 32767, LIGHT_BITS = 4 };
 static const double LEVEL_MIN = -16, LEVEL_MAX = 15.875; /* as far as 8 bits count eighths */
 static const double ANISOTROPY_MAX = 64;                 /* of a mapping, as far as its level of detail knows */
 
+static const uint32_t NO_TEXTURE = UINT32_MAX;
 static const uint64_t NO_PICTURE = UINT64_C(1) << 63; /* of a colour alone: no texture has that number */
 
 /* Light -------------------------------------------------------------------------------------- */
@@ -39,6 +40,16 @@ static uint32_t lit(uint32_t colour, uint32_t light)
     for (int shift = 16; shift >= 0; shift -= 8)
         out = out << 8 | ((colour >> shift & 0xFF) * (light >> shift & 0xFF) + 127) / 255;
     return out;
+}
+
+bool texture_is_masked(const struct mesh *mesh, const struct mesh_polygon *polygon)
+{
+    return polygon->mapping && mesh->textures[mesh->mappings[polygon->mapping].texture].is_masked;
+}
+
+uint32_t texture_light_of(uint32_t colour)
+{
+    return light_of(colour, LIGHT_BITS);
 }
 
 uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon)
@@ -112,7 +123,10 @@ static void look_add(struct texture_encoder *encoder, const struct mesh_polygon 
                              .w_bits = texture->w_bits,
                              .h_bits = texture->h_bits,
                              .levels = texture->levels,
-                             .place_bits = encoder->place_bits ? encoder->place_bits[number] : 0};
+                             .place_bits = encoder->place_bits  ? encoder->place_bits[number]
+                                           : texture->sky.times ? (uint8_t)LIM_TEXTURE_SKY
+                                           : texture->is_masked ? (uint8_t)LIM_TEXTURE_MASKED
+                                                                : 0};
 }
 
 /* Mappings ----------------------------------------------------------------------------------- */
@@ -188,6 +202,15 @@ static struct lim_mapping mapping_of(const struct mesh *mesh, const struct mappi
     return out;
 }
 
+/* Only what is asked of a sky's; the rest is that of a plane. */
+static struct lim_mapping sky_of(const struct texture *texture)
+{
+    const double horizon = ldexp(texture->sky.horizon, 15 + texture->h_bits - texture->w_bits);
+    return (struct lim_mapping){.uv = {{(int16_t)texture->sky.times, 0}, {0, 0}},
+                                .at_zero_q16 = {0, (uint16_t)fmin(fmax(floor(horizon + 0.5), 0), UINT16_MAX)},
+                                .scale = LIM_MAPPING_UPRIGHT};
+}
+
 static uint64_t hash_of(const struct lim_mapping *mapping)
 {
     const unsigned char *bytes = (const unsigned char *)mapping;
@@ -200,7 +223,9 @@ static uint64_t hash_of(const struct lim_mapping *mapping)
 static uint32_t mapping_index(struct texture_encoder *encoder, uint32_t number, const struct texture_plane *plane)
 {
     struct texture_arrays *out = encoder->out;
-    const struct lim_mapping mapping = mapping_of(encoder->mesh, &encoder->mesh->mappings[number], plane);
+    const struct mapping *from = &encoder->mesh->mappings[number];
+    const struct texture *texture = &encoder->mesh->textures[from->texture];
+    const struct lim_mapping mapping = texture->sky.times ? sky_of(texture) : mapping_of(encoder->mesh, from, plane);
     const uint32_t index = *map_at(&encoder->same, hash_of(&mapping), (uint32_t)out->mapping_count);
     if (index < out->mapping_count && memcmp(&out->mappings[index], &mapping, sizeof mapping) == 0) return index;
     out->mappings = grow(out->mappings, out->mapping_count, &out->mapping_capacity, sizeof *out->mappings);
@@ -246,6 +271,32 @@ bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *
     return true;
 }
 
+/* The mapping's copy that names the texture. The first texture that a mapping is shown with gets the mapping itself. */
+static uint32_t named_mapping(struct texture_arrays *out, struct map *copies, uint32_t mapping, uint32_t texture)
+{
+    const uint64_t key = (uint64_t)mapping << 32 | texture;
+    const bool is_first = !map_find(copies, (uint64_t)mapping << 32 | NO_TEXTURE);
+    map_at(copies, (uint64_t)mapping << 32 | NO_TEXTURE, 0);
+    const uint32_t index = *map_at(copies, key, is_first ? mapping : (uint32_t)out->mapping_count);
+    if (index == out->mapping_count) {
+        out->mappings = grow(out->mappings, out->mapping_count, &out->mapping_capacity, sizeof *out->mappings);
+        out->mappings[out->mapping_count++] = out->mappings[mapping];
+    }
+    out->mappings[index].texture = (uint16_t)texture;
+    return index;
+}
+
+void texture_name_by_mappings(struct encoding *encoding)
+{
+    struct map copies = {0};
+    for (size_t at = 0; at < encoding->word_count; at += lim_record_words(encoding->words[at])) {
+        lim_index *const end = &encoding->words[at + lim_record_words(encoding->words[at])];
+        if (encoding->words[at] & LIM_POLYGON_TEXTURE)
+            end[-1] = named_mapping(&encoding->textures, &copies, end[-1], end[-2]);
+    }
+    map_free(&copies);
+}
+
 /* A palette of fewer colours runs on into the next one; the last one is filled up, so that any texel finds a colour. */
 void texture_encoder_finish(struct texture_encoder *encoder)
 {
@@ -260,10 +311,12 @@ void texture_encoder_finish(struct texture_encoder *encoder)
 
 bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err)
 {
-    return encoding_check_count(arrays->mapping_count, "texture mappings", err) &&
-           encoding_check_count(arrays->texture_count, "textures, each light counted", err) &&
-           encoding_check_count(arrays->palette_colours, "colours of palettes", err) &&
-           encoding_check_count(arrays->texel_count / LIM_TEXEL_BLOCK, "blocks of texels", err);
+    struct error why;
+    return (encoding_check_count(arrays->mapping_count, "texture mappings", &why) &&
+            encoding_check_count(arrays->texture_count, "textures, each light counted", &why) &&
+            encoding_check_count(arrays->palette_colours, "colours of palettes", &why) &&
+            encoding_check_count(arrays->texel_count / LIM_TEXEL_BLOCK, "blocks of texels", &why)) ||
+           error_set(err, "%s; --no-textures does without", why.text);
 }
 
 void texture_encoder_free(struct texture_encoder *encoder)

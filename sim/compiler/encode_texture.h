@@ -32,14 +32,24 @@ void texture_encoder_init(struct texture_encoder *encoder, const struct mesh *me
 bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *polygon,
                     const struct texture_plane *plane, uint16_t words[2]);
 
+/* The light of a face, as palettes have it where there is room for all levels. */
+uint32_t texture_light_of(uint32_t colour);
+
 /* Of a mesh: the texture of a polygon, and one of a single texel for one that has none. */
 uint16_t texture_encode_look(struct texture_encoder *encoder, const struct mesh_polygon *polygon);
 
-/* Where the texture cannot be shown, as on what is transparent: its mean, lit. */
+/* Whether some of its texture's texels are clear: then it has a transparency, too. */
+bool texture_is_masked(const struct mesh *mesh, const struct mesh_polygon *polygon);
+
+/* Where the texture cannot be shown, as on what is transparent all over: its mean, lit. */
 uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon);
 
 /* When all records are encoded. */
 void texture_encoder_finish(struct texture_encoder *encoder);
+
+/* In a tree of more words than 16 bits count a mapping is of one texture, and names it: a mapping that is shown with
+ * several gets copies. */
+void texture_name_by_mappings(struct encoding *encoding);
 
 /* Refuses what does not fit 16-bit indices. */
 bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err);

@@ -13,6 +13,7 @@
  * the distance; once, so that it does not add up from opening to opening. */
 #include "compiler/flow.h"
 
+#include "base/deadline.h"
 #include "base/grow.h"
 #include "base/vec3.h"
 
@@ -20,7 +21,6 @@
 #include <string.h>
 
 enum { WIDENED_MAX = 4 };
-static const size_t WORK_MAX = 300000;         /* planes clipped by for a zone: rooms take a fifth of that at most */
 static const double SLACK_UNITS = 1.0 / 64.0;  /* more than arithmetic errs */
 static const double GRAZING_UNITS = 1.0 / 4.0; /* an eighth of what openings are widened by at least */
 static const double RECORD_MARGIN_UNITS = CELLS_MARGIN_UNITS + 2.0;
@@ -39,7 +39,7 @@ struct source {
 
 void flow_init(struct flow *flow, const struct cells *cells, const struct zones *zones, double angle_rad)
 {
-    *flow = (struct flow){.cells = cells, .zones = zones, .angle_rad = angle_rad, .work_max = WORK_MAX};
+    *flow = (struct flow){.cells = cells, .zones = zones, .angle_rad = angle_rad};
     flow->grown = grow_zeroed(cells->opening_count, sizeof *flow->grown);
     flow->grown_for = grow_zeroed(cells->opening_count, sizeof *flow->grown_for);
     flow->window_for = grow_zeroed(cells->opening_count, sizeof *flow->window_for);
@@ -304,9 +304,9 @@ static bool group_follow(struct flow *flow, const struct source *source, const u
     flow->group_number++;
     for (size_t i = 0; i < count; i++)
         widen(flow, &front, exits[i], grown(flow, source, exits[i]));
-    while (front.count && flow->work < flow->work_max)
+    while (front.count && flow->work < flow->work_max && !deadline_passed())
         look_on(flow, &front, source, next(flow, &front));
-    return flow->work < flow->work_max;
+    return !front.count;
 }
 
 /* Records ------------------------------------------------------------------------------------ */

@@ -28,7 +28,8 @@ struct flow {
 void flow_init(struct flow *flow, const struct cells *cells, const struct zones *zones, double angle_rad);
 void flow_free(struct flow *flow);
 
-/* Fills visible[record_count]. false: it would take too long; then nothing is known. */
+/* Fills visible[record_count]. false: it would take more than flow->work_max planes that windows are clipped by; then
+ * nothing is known. */
 bool flow_see(struct flow *flow, size_t zone, bool *visible);
 
 #endif

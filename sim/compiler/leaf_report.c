@@ -32,5 +32,8 @@ void leaf_report_print(const struct leaf_report *leaves, const char *object)
         printf("; %.0f instead of %.0f instructions predicted", leaves->instructions, leaves->without_instructions);
     if (leaves->tried && !isnan(leaves->wrong_percent))
         printf("; %.4f %% of pixels wrong, at most %.4f %%", leaves->wrong_percent, leaves->bound_percent);
+    if (leaves->dear_near)
+        printf("; %zu part%s cost%s more seen from near", leaves->dear_near, leaves->dear_near > 1 ? "s" : "",
+               leaves->dear_near > 1 ? "" : "s");
     putchar('\n');
 }

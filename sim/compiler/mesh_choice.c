@@ -33,12 +33,19 @@ double mesh_choice_promised_percent(const struct core *core)
     }
 }
 
+static bool has_sky(const struct lim_scene *scene)
+{
+    for (size_t i = 0; i < scene->texture_count; i++)
+        if (lim_texture_is_sky(&scene->textures[i])) return true;
+    return false;
+}
+
 static bool is_open(const struct compile_options *options, const struct compiled *scene)
 {
     const struct compile_report *report = &scene->report;
     if (!options->choose_order || options->method || options->tree != TREE_AUTO) return false;
     if (options->core && options->core->profile == LIM_PROFILE_EXACT) return false;
-    if (options->framebuffer || report->left_out) return false;
+    if (options->framebuffer || report->left_out || has_sky(&scene->scene)) return false;
     if (order_needs_nearest(options, &scene->scene) || options->portals == PORTALS_ON || scene->scene.place_count)
         return false;
     return !isnan(report->instructions);

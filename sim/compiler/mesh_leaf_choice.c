@@ -2,13 +2,14 @@
  *
  * The candidate has a BSP tree: what other trees are good at, dense parts, it has no planes of. A part errs where a
  * pixel shows one of its polygons, or should, and another is there; as many such pixels as the scene without leaves has
- * are edges. */
+ * are edges. A part that costs more where the eye is near it is left to the tree, whatever the mean of all cameras. */
 #include "compiler/mesh_leaf_choice.h"
 
 #include "accuracy/predict.h"
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/map.h"
+#include "compiler/leaf_places.h"
 #include "compiler/mesh_choice.h"
 #include "model/original.h"
 #include "scene/mcu_mem.h"
@@ -37,8 +38,8 @@ static bool is_cheaper(const struct compiled *candidate, const struct compiled *
            (double)candidate->report.flash_b <= ENOUGH * (double)scene->report.flash_b;
 }
 
-/* With the parts that are left. False: there are none, or they are no cheaper; then there is no candidate. */
-static bool compile_leaves(struct leaf_trial *trial, struct compiled *scene)
+/* With the parts that are left. False: there are none, or time is over; then there is no candidate. */
+static bool compile_candidate(struct leaf_trial *trial, struct compiled *scene)
 {
     struct leaf_report *report = &scene->report.leaf_parts;
     const struct mesh *mesh = trial->work.mesh;
@@ -50,9 +51,31 @@ static bool compile_leaves(struct leaf_trial *trial, struct compiled *scene)
     trial->candidate.report.near_m = scene->report.near_m;
     report->attempts++;
     report->instructions = trial->candidate.report.instructions;
+    return true;
+}
+
+/* False: it is no cheaper, and there is no candidate any more. */
+static bool keep_if_cheaper(struct leaf_trial *trial, const struct compiled *scene)
+{
     if (!deadline_passed() && is_cheaper(&trial->candidate, scene)) return true;
     compiled_free(&trial->candidate);
     return false;
+}
+
+static bool compile_leaves(struct leaf_trial *trial, struct compiled *scene)
+{
+    return compile_candidate(trial, scene) && keep_if_cheaper(trial, scene);
+}
+
+/* Parts that are dear from near go first: they may be what makes all of them together dear. On a path its cameras are
+ * all that count. */
+static bool compile_all_but_dear(struct leaf_trial *trial, struct compiled *scene)
+{
+    if (!compile_candidate(trial, scene)) return false;
+    if (!scene->report.path.count)
+        scene->report.leaf_parts.dear_near =
+            leaf_places_leave_out(scene, &trial->candidate, trial->options.core, trial->work.mesh, &trial->work.parts);
+    return scene->report.leaf_parts.dear_near ? compile_leaves(trial, scene) : keep_if_cheaper(trial, scene);
 }
 
 bool leaf_trial_begin(struct leaf_trial *trial, const struct mesh *mesh, const struct compile_options *options,
@@ -67,7 +90,7 @@ bool leaf_trial_begin(struct leaf_trial *trial, const struct mesh *mesh, const s
         return false;
     scene->report.leaf_parts = (struct leaf_report){
         .tried = true, .without_instructions = scene->report.instructions, .instructions = NAN, .wrong_percent = NAN};
-    return compile_leaves(trial, scene);
+    return compile_all_but_dear(trial, scene);
 }
 
 /* Errors ---------------------------------------------------------------------------------------- */
@@ -136,6 +159,7 @@ static void take(struct leaf_trial *trial, struct compiled *scene)
     struct leaf_report *report = &trial->candidate.report.leaf_parts;
     report->tried = true;
     report->attempts = weighed.attempts;
+    report->dear_near = weighed.dear_near;
     report->instructions = weighed.instructions;
     report->without_instructions = weighed.without_instructions;
     report->wrong_percent = weighed.wrong_percent;

@@ -11,6 +11,7 @@
 #include "compiler/moving_textures.h"
 #include "compiler/order_choice.h"
 #include "compiler/pool_sizes.h"
+#include "compiler/texture_budget.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
 #include "readers/model_read.h"
@@ -295,6 +296,7 @@ bool moving_compile_model(const struct model *model, const struct compile_option
     if (movers->mode == MOVING_OFF) stop_movers(moving);
     if (movers->light && !options->unlit) keep_movers_unlit(moving, options->mono);
     compile_options_light(options, &moving->model);
+    if (!texture_budget_apply(&moving->model, options, err)) return false;
     if (!moving->model.mover_count) return compile_part(&moving->model, NULL, options, scene, err);
     if (options->framebuffer) return error_set(err, "--framebuffer: objects that move are drawn line by line");
     return compile_parts(moving, options, movers->mode, scene, err);

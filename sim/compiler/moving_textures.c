@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Two textures are one if their sizes, their texels and the colours that these name are. */
+ * Two textures are one if their sizes, their texels, the colours that these name and what they are for are. */
 #include "compiler/moving_textures.h"
 
 #include "base/grow.h"
@@ -18,36 +18,48 @@ static size_t texels_of(const struct lim_texture *texture)
     return texture_texels(texture->w_bits, texture->h_bits);
 }
 
-/* How many colours its texels name, at most. */
-static size_t colours_of(const uint8_t *texels, size_t count)
+static const uint8_t *first_texel(const struct lim_scene *object, const struct lim_texture *texture)
 {
-    size_t most = 0;
-    for (size_t i = 0; i < count; i++)
-        if (texels[i] > most) most = texels[i];
+    return object->texels + (size_t)texture->texels * LIM_TEXEL_BLOCK;
+}
+
+/* How many colours it names, at most: a sky those above and below it, too. */
+static size_t colours_of(const struct lim_scene *object, const struct lim_texture *texture)
+{
+    size_t most = texture->place_bits & LIM_TEXTURE_SKY ? 1 : 0;
+    for (size_t i = 0, count = texels_of(texture); i < count; i++)
+        if (first_texel(object, texture)[i] > most) most = first_texel(object, texture)[i];
     return most + 1;
+}
+
+static bool is_as_large(const struct lim_texture *a, const struct lim_texture *b)
+{
+    return a->w_bits == b->w_bits && a->h_bits == b->h_bits && a->levels == b->levels;
+}
+
+static bool has_texels(const struct texture_arrays *all, size_t index, const struct lim_scene *object,
+                       const struct lim_texture *texture)
+{
+    const struct lim_texture *there = &all->textures[index];
+    return is_as_large(there, texture) && memcmp(all->texels + (size_t)there->texels * LIM_TEXEL_BLOCK,
+                                                 first_texel(object, texture), texels_of(texture)) == 0;
 }
 
 static bool is_same(const struct texture_arrays *all, size_t index, const struct lim_scene *object,
                     const struct lim_texture *texture)
 {
     const struct lim_texture *there = &all->textures[index];
-    const uint8_t *texels = object->texels + (size_t)texture->texels * LIM_TEXEL_BLOCK;
-    const size_t count = texels_of(texture);
-    return lim_texture_sizes(there) == lim_texture_sizes(texture) &&
-           memcmp(all->texels + (size_t)there->texels * LIM_TEXEL_BLOCK, texels, count) == 0 &&
+    return there->place_bits == texture->place_bits && has_texels(all, index, object, texture) &&
            memcmp(all->palettes + there->palette, object->palettes + texture->palette,
-                  colours_of(texels, count) * sizeof *all->palettes) == 0;
+                  colours_of(object, texture) * sizeof *all->palettes) == 0;
 }
 
 /* Where texels are that the scene has already; COUNT_MAX: it has none of these. */
 static size_t find_texels(const struct texture_arrays *all, const struct lim_scene *object,
                           const struct lim_texture *texture)
 {
-    const uint8_t *texels = object->texels + (size_t)texture->texels * LIM_TEXEL_BLOCK;
     for (size_t i = 0; i < all->texture_count; i++)
-        if (lim_texture_sizes(&all->textures[i]) == lim_texture_sizes(texture) &&
-            memcmp(all->texels + (size_t)all->textures[i].texels * LIM_TEXEL_BLOCK, texels, texels_of(texture)) == 0)
-            return all->textures[i].texels;
+        if (has_texels(all, i, object, texture)) return all->textures[i].texels;
     return COUNT_MAX;
 }
 
@@ -70,13 +82,12 @@ static void add_colour(struct texture_arrays *all, uint16_t colour)
 /* The number that it has among all. */
 static size_t add_texture(struct texture_arrays *all, const struct lim_scene *object, const struct lim_texture *texture)
 {
-    const uint8_t *texels = object->texels + (size_t)texture->texels * LIM_TEXEL_BLOCK;
-    const size_t count = texels_of(texture), colours = colours_of(texels, count);
+    const size_t colours = colours_of(object, texture);
     struct lim_texture own = *texture;
     for (size_t i = 0; i < all->texture_count; i++)
         if (is_same(all, i, object, texture)) return i;
     size_t block = find_texels(all, object, texture);
-    if (block == COUNT_MAX) block = add_texels(all, texels, count);
+    if (block == COUNT_MAX) block = add_texels(all, first_texel(object, texture), texels_of(texture));
     own.texels = (uint16_t)block;
     own.palette = (uint16_t)all->palette_colours;
     for (size_t i = 0; i < colours; i++)
@@ -159,6 +170,7 @@ static bool collect(const struct moving *moving, struct texture_arrays *all, siz
 {
     for (size_t i = 0; i < moving->count; i++) {
         const struct lim_scene *object = &moving->objects[i].scene.scene;
+        if (lim_mappings_name_textures(object)) return false; /* the frame has no numbers for so many */
         numbers[i] = grow_zeroed(object->texture_count, sizeof **numbers);
         for (size_t k = 0; k < object->texture_count; k++) {
             if (!has_room(all, &object->textures[k])) return false;

@@ -19,7 +19,7 @@ const char *order_needs_nearest(const struct compile_options *options, const str
     if (options->wireframe) return "--wireframe is";
     if (options->delta) return "--delta is";
     if (options->fill) return "--fill is";
-    return records_with(scene, LIM_POLYGON_ALPHA) ? "glass is" : NULL;
+    return records_blended(scene) ? "glass is" : NULL; /* holes are painted as any texture is */
 }
 
 bool order_can_fill(const struct compile_options *options, const struct compiled *scene, struct error *err)

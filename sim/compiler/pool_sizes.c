@@ -46,6 +46,7 @@ struct usage {
     bool closes_none;                   /* by scan lines, not antialiased: no gaps but one */
     double instructions;                /* predicted, of all frames */
     double instructions_most;           /* beyond that no more frames are drawn; 0: whatever it takes */
+    uint64_t reached, seen;             /* polygons that face the eye, and those of which something shows */
     uint32_t splits;                    /* of all frames */
     uint32_t splits_max, entries_max;   /* strays included: without room for a piece the picture may be wrong */
     struct pool_search_result searched; /* what options.worst asks for; else nothing was tried */
@@ -90,9 +91,9 @@ static void note(struct usage *usage, const struct simulator *simulator)
     usage->active[i] = stats->active_max;
     usage->shared[i] = within(pool_search_shared_b(simulator, &usage->memory) / SHARED_UNIT_B + 1);
     usage->runs[i] = stats->delta.runs_max;
-    usage->instructions += frame_cost_m0plus(stats, &simulator->target);
-    if (lim_texture_count(simulator->scene))
-        usage->instructions += frame_cost_textures_m0plus(stats, &simulator->target);
+    usage->instructions += frame_cost_of_scene_m0plus(stats, &simulator->target, simulator->scene);
+    usage->reached += stats->polygons;
+    usage->seen += stats->polygons_seen;
     usage->splits += stats->newell.splits;
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
@@ -356,6 +357,7 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
     raise_limits(roomy, moving, &usage, limits);
     if (style == STYLE_PLAIN) pool_search_report(&usage.searched, &roomy->grid, &roomy->report.worst);
     if (style == STYLE_PLAIN && !moving && usage.splits >= ENOUGH_SPLITS) roomy->report.few_cameras = usage.cameras;
+    if (style == STYLE_PLAIN && usage.seen) roomy->report.reached_a_seen = (double)usage.reached / (double)usage.seen;
     if (style == STYLE_PLAIN && usage.cameras && frame_cost_knows(setup->method) && frame_cost_is_known(&roomy->scene))
         roomy->report.instructions = usage.instructions / (double)usage.cameras;
     return true;
@@ -464,6 +466,7 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
     lim_image_set_limits(scene, &limits);
     const bool is_known = frame_cost_knows(scene->report.draws);
     scene->report.instructions = is_known ? roomy.report.instructions : NAN;
+    scene->report.reached_a_seen = roomy.report.reached_a_seen;
     scene->report.delta_runs = roomy.report.delta_runs;
     scene->report.few_cameras = roomy.report.few_cameras;
     scene->report.worst = roomy.report.worst;

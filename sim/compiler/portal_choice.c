@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Portals pay if they spare the renderer at least a quarter of the polygons that it reaches, on sampled cameras that
- * stand in closed cells mostly, and take at most a tenth of the scene's flash: the walk from near to far ends as soon
- * as the picture is full, so there must be a good deal left to spare for bytes that are always there. */
+ * Portals pay if they spare a tenth of the instructions that are predicted, on sampled cameras that stand in closed
+ * cells mostly, and take at most a tenth of the scene's flash; where no instructions are predicted, if they spare a
+ * quarter of the polygons that are reached. The walk from near to far ends as soon as the picture is full, so what is
+ * left to spare is little, for bytes that are always there. */
 #include "compiler/portal_choice.h"
 
 #include "base/deadline.h"
@@ -10,13 +11,15 @@
 #include "cameras/sample.h"
 #include "compiler/pvs.h"
 #include "core/core.h"
+#include "render/frame_cost.h"
 #include "render/simulator.h"
 #include "scene/lim_image.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { CAMERAS = 64, SIDE_PX = 96, FOV_DEG = 60, LEAST_SAVED_PERCENT = 25, MOST_FLASH_PERCENT = 10 };
+enum { CAMERAS = 64, FOV_DEG = 60, LEAST_SAVED_PERCENT = 25, LEAST_COST_PERCENT = 10, MOST_FLASH_PERCENT = 10 };
+enum { LOOK_UP_INSTRUCTIONS = 2700 }; /* a frame, on a Cortex-M0+ (firmware/DESIGN.md) */
 
 /* What the renderer's rounding may shift: never less than this, so that a scene may be drawn smaller and less
  * precisely than it was compiled for. */
@@ -56,9 +59,10 @@ static bool trial_begin(struct trial *trial, const struct compiled *scene, const
                         struct portal_report *report, struct error *err)
 {
     const bool is_draft = core && core->profile == LIM_PROFILE_DRAFT; /* has stray pixels of its own */
-    const struct simulator_setup setup = {SIDE_PX, SIDE_PX, scene->report.draws, SIMULATOR_MEMORY,
+    const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, scene->report.draws, SIMULATOR_MEMORY,
                                           is_draft ? &core_fast : core};
     *trial = (struct trial){.scene = scene, .plain = scene->scene, .report = report};
+    report->cost_before = report->cost_after = frame_cost_knows(scene->report.draws) ? 0.0 : NAN;
     trial->plain.place_count = 0;
     if (!simulator_init(&trial->with, &scene->scene, &setup, err)) return false;
     if (simulator_init(&trial->without, &trial->plain, &setup, err)) return true;
@@ -75,6 +79,8 @@ static bool trial_frame(struct trial *trial, const struct lim_camera *camera, st
     report->polygons_after += simulator_stats(&trial->with)->polygons;
     report->vertices_before += simulator_stats(&trial->without)->vertices;
     report->vertices_after += simulator_stats(&trial->with)->vertices;
+    report->cost_before += frame_cost_work(simulator_stats(&trial->without), &trial->without.target);
+    report->cost_after += frame_cost_work(simulator_stats(&trial->with), &trial->with.target) + LOOK_UP_INSTRUCTIONS;
     report->different += memcmp(trial->with.pixels, trial->without.pixels,
                                 simulator_pixel_count(&trial->with) * sizeof *trial->with.pixels) != 0;
     return true;
@@ -85,7 +91,9 @@ static bool trial_run(struct trial *trial, struct error *err)
     struct sampler sampler;
     struct lens lens;
     sampler_init(&sampler, trial->scene);
-    if (!lens_for_grid(&lens, FOV_DEG, 0, &trial->scene->grid, SIDE_PX, SIDE_PX, err)) return false;
+    if (!lens_for_grid(&lens, FOV_DEG, 0, &trial->scene->grid, trial->scene->report.w_px, trial->scene->report.h_px,
+                       err))
+        return false;
     for (int i = 0; i < CAMERAS && deadline_check(err, "portals were still tried out"); i++) {
         progress_bar((size_t)i, CAMERAS, "portals");
         struct viewpoint viewpoint = sampler_next(&sampler);
@@ -110,13 +118,16 @@ static bool try_out(const struct compiled *scene, const struct core *core, struc
 
 /* Deciding ----------------------------------------------------------------------------------- */
 
+static bool spares_enough(const struct portal_report *portals)
+{
+    const double before = (double)portals->polygons_before, saved = before - (double)portals->polygons_after;
+    if (isnan(portals->cost_before)) return saved * 100.0 >= before * LEAST_SAVED_PERCENT && saved >= 0.0;
+    return (portals->cost_before - portals->cost_after) * 100.0 >= portals->cost_before * LEAST_COST_PERCENT;
+}
+
 static bool pays(const struct compile_report *report)
 {
-    const struct portal_report *portals = &report->portals;
-    const size_t saved = portals->polygons_before - portals->polygons_after;
-    return portals->polygons_after <= portals->polygons_before &&
-           saved * 100 >= portals->polygons_before * LEAST_SAVED_PERCENT &&
-           portals->bytes * 100 <= report->flash_b * MOST_FLASH_PERCENT;
+    return spares_enough(&report->portals) && report->portals.bytes * 100 <= report->flash_b * MOST_FLASH_PERCENT;
 }
 
 /* Keeps them or takes them out again. */
@@ -142,6 +153,7 @@ static void attach(struct compiled *scene, const struct pvs *pvs)
     report->tried = true;
     report->zones = pvs->zones;
     report->pvs = pvs->kept;
+    report->given_up = pvs->given_up;
     report->mean_polygons = pvs->mean_polygons;
     report->bytes = pvs->place_count * sizeof *pvs->places + pvs->byte_count + FIELDS_B;
     lim_image_set_pvs(scene, pvs->places, pvs->place_count, pvs->bytes, pvs->byte_count);
@@ -158,7 +170,7 @@ bool portals_add(struct compiled *scene, const struct compile_options *options, 
     progress("portals");
     if (has_none)
         return error_set(err, "portals: %s has no cells to look from", is_mesh ? "a mesh" : "one convex solid");
-    if (!pvs_find(&scene->scene, angle_of(scene, options), &pvs, &reason)) {
+    if (!pvs_find(&scene->scene, angle_of(scene, options), &pvs_usual_effort, &pvs, &reason)) {
         if (!wanted) deadline_say("a scene without portals");
         snprintf(report->refused, sizeof report->refused, "%.95s", reason.text);
         return !wanted || error_set(err, "portals: %s", reason.text);

@@ -13,6 +13,9 @@
 
 enum { PVS_MAX = 512, BYTES_A_POLYGON = 32 };
 
+/* A zone of rooms takes 60 thousand at most, one of Freedoom's maps 2.2 million, and a map 16 million. */
+const struct pvs_effort pvs_usual_effort = {.zone_work = 3000000, .work = 20000000, .given_up = 0.25};
+
 /* A visible set and the zones that share it. */
 struct group {
     uint8_t *bits;
@@ -32,6 +35,10 @@ struct work {
     size_t bits_b;
     struct group *groups; /* by zone at first */
     uint32_t *group_of;   /* of each zone */
+    const struct pvs_effort *effort;
+    size_t work_left;     /* of effort->work */
+    size_t given_up;      /* zones whose portals lead too far */
+    double part_given_up; /* of the volume */
 };
 
 size_t pvs_pack(const uint8_t *bytes, size_t count, uint8_t *out)
@@ -123,6 +130,28 @@ static double least_volume(const double *volumes, size_t count)
     return least;
 }
 
+/* What is seen from a zone. One whose portals lead too far shows everything, which is always right; but there is
+ * nothing to be had where these are too large a part. */
+static bool zone_see(struct work *work, size_t zone, double part, bool *visible, struct error *err)
+{
+    struct group *group = &work->groups[zone];
+    struct flow *flow = &work->flow;
+    const size_t most = work->effort->zone_work;
+    flow->work_max = work->work_left < most ? work->work_left : most;
+    const bool known = flow_see(flow, zone, visible);
+    work->work_left -= flow->work < work->work_left ? flow->work : work->work_left;
+    if (!known) {
+        work->given_up++;
+        work->part_given_up += part;
+        return work->part_given_up <= work->effort->given_up ||
+               error_set(err, "its portals lead too far to be followed");
+    }
+    group->volume = part;
+    bits_set(work, visible, group->bits);
+    group_weigh(work, group);
+    return true;
+}
+
 static bool groups_begin(struct work *work, struct error *err)
 {
     const size_t count = work->zones.count;
@@ -132,15 +161,10 @@ static bool groups_begin(struct work *work, struct error *err)
         all += volumes[z] = volume_of_zone(work, z);
     const double least = least_volume(volumes, count);
     for (size_t z = 0; ok && z < count; z++) {
-        struct group *group = &work->groups[z];
-        group->bits = grow_zeroed(work->bits_b, 1);
+        work->groups[z].bits = grow_zeroed(work->bits_b, 1);
         work->group_of[z] = (uint32_t)z;
         if (volumes[z] <= least) continue; /* nothing is known of it */
-        ok = deadline_check(err, "portals were still followed") &&
-             (flow_see(&work->flow, z, visible) || error_set(err, "its portals lead too far to be followed"));
-        group->volume = volumes[z] / all;
-        bits_set(work, visible, group->bits);
-        group_weigh(work, group);
+        ok = deadline_check(err, "portals were still followed") && zone_see(work, z, volumes[z] / all, visible, err);
     }
     free(volumes);
     free(visible);
@@ -304,13 +328,15 @@ static bool find_in(struct work *work, double angle_rad, struct pvs *out, struct
     work->group_of = grow_zeroed(work->zones.count, sizeof *work->group_of);
     flow_init(&work->flow, &work->cells, &work->zones, angle_rad);
     if (!groups_begin(work, err)) return false;
+    out->given_up = work->given_up;
     groups_join(work);
     return store(work, out, err);
 }
 
-bool pvs_find(const struct lim_scene *scene, double angle_rad, struct pvs *out, struct error *err)
+bool pvs_find(const struct lim_scene *scene, double angle_rad, const struct pvs_effort *effort, struct pvs *out,
+              struct error *err)
 {
-    struct work work = {.scene = scene};
+    struct work work = {.scene = scene, .effort = effort, .work_left = effort->work};
     *out = (struct pvs){0};
     if (!check(scene, err)) return false;
     const bool ok = find_in(&work, angle_rad, out, err);

@@ -14,12 +14,22 @@ struct pvs {
     uint8_t *bytes;
     size_t place_count, byte_count;
     size_t zones, kept;   /* rooms found; different visible sets stored */
+    size_t given_up;      /* rooms from which everything counts as seen, as their portals lead too far */
     double mean_polygons; /* that a visible set shows, by volume */
 };
 
+/* How far portals are followed. */
+struct pvs_effort {
+    size_t zone_work, work; /* planes that windows are clipped by, for a zone and for all */
+    double given_up;        /* which part of the volume may show everything, as its portals lead too far */
+};
+
+extern const struct pvs_effort pvs_usual_effort;
+
 /* Finds what the scene's cells see, allowing for what a renderer's rounding may shift on the screen, in radians.
- * Refuses a scene that has no closed cells, too many of them, or polygons in clusters. */
-bool pvs_find(const struct lim_scene *scene, double angle_rad, struct pvs *out, struct error *err);
+ * Refuses a scene that has no closed cells, too many of them, portals that lead too far, or polygons in clusters. */
+bool pvs_find(const struct lim_scene *scene, double angle_rad, const struct pvs_effort *effort, struct pvs *out,
+              struct error *err);
 void pvs_free(struct pvs *pvs);
 
 /* Packs count bytes; `out` has room for twice as many. Returns how many it takes. */

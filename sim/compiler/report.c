@@ -53,7 +53,8 @@ static void print_choice(const struct compile_report *report)
     else if (report->choice.kind == CHOICE_LONG)
         printf("    %-26s others take long with so many polygons; --tree auto tries them\n", "chosen:");
     else if (report->choice.kind == CHOICE_NEEDLESS)
-        printf("    %-26s it splits less than a quarter of the polygons\n", "chosen:");
+        printf("    %-26s it splits less than a quarter, and reaches %.1f polygons for one that is seen\n",
+               "chosen:", report->reached_a_seen);
     else if (report->tree == TREE_BSP)
         printf("    %-26s no other tree spares a tenth of its instructions\n", "chosen:");
     else
@@ -196,6 +197,7 @@ static void print_portals(const struct portal_report *portals)
            : portals->different ? "left out: pictures differ"
                                 : "left out");
     print_count("rooms", portals->zones);
+    if (portals->given_up) print_count("  that all is seen from", portals->given_up);
     print_count("different visible sets", portals->pvs);
     print_count("bytes", portals->bytes);
     printf("  %-28s %8.1f\n", "polygons a visible set shows", portals->mean_polygons);
@@ -204,6 +206,10 @@ static void print_portals(const struct portal_report *portals)
     printf("  %-28s %8.1f\n", "polygons reached, with", (double)portals->polygons_after / (double)portals->cameras);
     printf("  %-28s %8.1f\n", "vertices, without", (double)portals->vertices_before / (double)portals->cameras);
     printf("  %-28s %8.1f\n", "vertices, with", (double)portals->vertices_after / (double)portals->cameras);
+    if (isnan(portals->cost_before)) return;
+    printf("  %-28s %8.0f, predicted\n", "instructions, without", portals->cost_before / (double)portals->cameras);
+    printf("  %-28s %8.0f, %.1f %% less\n", "instructions, with", portals->cost_after / (double)portals->cameras,
+           100.0 * (1.0 - portals->cost_after / portals->cost_before));
 }
 
 static void print_bytes(const char *what, size_t size_b, size_t polygons)
@@ -221,6 +227,7 @@ static void print_flash(const struct compiled *scene)
     for (size_t i = 0; i < count; i++)
         print_bytes(parts[i].name, parts[i].size_b, polygons);
     print_bytes("in all", scene->report.flash_b, polygons);
+    if (scene->scene.texture_count) print_bytes("  of these textures", texture_memory_b(&scene->scene), polygons);
 }
 
 /* Lines begin at whole words. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Other trees are better where the BSP tree splits much, so by default that is where they are tried. One whole
- * compilation for each kind, pools included, because these draw the cameras. */
+ * Other trees are better where the BSP tree splits much, or where its frames reach many polygons of which nothing is
+ * seen. By default that is where they are tried. One whole compilation for each kind, pools included, because these
+ * draw the cameras. */
 #include "compiler/tree_choice.h"
 
 #include "base/deadline.h"
@@ -13,6 +14,7 @@
 static const enum tree_kind OTHERS[] = {TREE_CLUSTERS, TREE_AXIS};
 static const double ENOUGH = 0.9, ALIKE = 0.01; /* of the BSP tree's instructions */
 static const double OTHERS_SHARE = 0.5;         /* of the time: what follows needs some */
+static const double FEW_REACHED = 6.0;          /* polygons for each that is seen */
 static const size_t MANY = 40000;               /* polygons: three trees of more take minutes */
 
 bool tree_choice_parse(const char *text, struct compile_options *out, struct error *err)
@@ -63,7 +65,7 @@ static void choose_tree(struct compilation *work, struct compiled *out)
     const bool unasked = options->trial == TRIAL_IF_SPLIT;
     if (isnan(bsp->instructions))
         out->report.choice.kind = CHOICE_UNKNOWN;
-    else if (unasked && !compilation_splits_much(bsp))
+    else if (unasked && !compilation_splits_much(bsp) && bsp->reached_a_seen <= FEW_REACHED)
         out->report.choice.kind = CHOICE_NEEDLESS;
     else if (unasked && bsp->polygons_in > MANY)
         out->report.choice.kind = CHOICE_LONG;

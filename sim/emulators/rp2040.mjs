@@ -10,6 +10,7 @@
 //   --flash CHIP    what the image is read from (serial_flash.mjs); w25q16jv is a Pico's
 //   --cache POLICY  which of two ways a miss replaces (rp2040_xip.mjs): lru, fifo, random
 //   --bus-cycles N  what a miss takes beside the clocks of its transfer
+//   --press GPIO=FROM-TO   a button to ground is down from when FROM frames were shown until TO were; up otherwise
 //   --ahead         the next word is fetched with each instruction
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
@@ -64,6 +65,7 @@ function readArguments() {
         spi: { type: 'string', default: '0' }, pin: { type: 'string', multiple: true, default: [] },
         'stop-after': { type: 'string', default: 'Infinity' }, for: { type: 'string', default: '1' },
         flash: { type: 'string', default: 'w25q16jv' }, cache: { type: 'string', default: 'fifo' },
+        press: { type: 'string', multiple: true, default: [] },
         'bus-cycles': { type: 'string', default: '0' }, ahead: { type: 'boolean', default: false },
     };
     const { values, positionals } = parseArgs({ options, allowPositionals: true });
@@ -74,6 +76,7 @@ function readArguments() {
         image: fs.readFileSync(image), symbols: fs.readFileSync(symbols, 'utf8'), frames: Number(frames),
         spi: Number(values.spi), pins: values.pin.map((pin) => pin.split('=')),
         stopAfter: Number(values['stop-after']), resets: Number(values.for), flash: values.flash, policy: values.cache,
+        presses: values.press.map((press) => press.split(/[=-]/).map(Number)),
         busCycles: Number(values['bus-cycles']), ahead: values.ahead,
     };
 }
@@ -89,7 +92,16 @@ class Run {
         enterBoot2(this.chip);
         this.cycles = new Cycles(this.chip, options.symbols);
         for (const [name, number] of options.pins) this.watch(name, this.chip.gpio[Number(number)]);
+        this.press();
         this.hasLed = options.pins.some(([name]) => name === 'led');
+    }
+
+    press() {
+        const down = new Map();
+        for (const [gpio, from, to] of this.options.presses) {
+            down.set(gpio, down.get(gpio) || (this.frames >= from && this.frames < to));
+        }
+        for (const [gpio, is] of down) this.chip.gpio[gpio].setInputValue(!is);
     }
 
     // What is no output is neither high nor low.
@@ -108,6 +120,7 @@ class Run {
         this.log.line(cycles.report(this.frames, (8 * chip.clkSys) / this.spi.clockFrequency));
         cycles.ended = -1;
         this.frames++;
+        this.press();
         this.instructions = 0;
     }
 

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { SKY_ROUND_PX = 1024, SKY_HORIZON_PX = 100, LOOK_USES = 3 };
+
 /* North is -z. */
 void level_place(double x, double y, double height, double out_m[3])
 {
@@ -22,7 +24,27 @@ static uint32_t times(uint32_t colour, uint32_t light)
     return out;
 }
 
-static uint32_t add_picture(struct level_faces *faces, const struct level_look *look)
+/* 1024 columns go round, from the east to the north: to the left, as the engine counts them. Row 100 is at the horizon.
+ * Source: linuxdoom, r_sky.h, r_plane.c. */
+static void set_sky(struct picture *picture)
+{
+    const unsigned times = SKY_ROUND_PX / picture->w_px;
+    for (uint32_t y = 0; y < picture->h_px; y++) {
+        uint32_t *row = &picture->pixels[(size_t)y * picture->w_px];
+        for (uint32_t x = 0; x < picture->w_px / 2; x++) {
+            const uint32_t pixel = row[x];
+            row[x] = row[picture->w_px - 1 - x];
+            row[picture->w_px - 1 - x] = pixel;
+        }
+    }
+    picture->sky = (struct sky_look){.times = times < 1               ? 1
+                                              : times > SKY_TIMES_MAX ? SKY_TIMES_MAX
+                                                                      : times,
+                                     .horizon = (double)SKY_HORIZON_PX / picture->h_px};
+}
+
+/* Where it is not masked, what is clear in it has the mean colour. */
+static uint32_t add_picture(struct level_faces *faces, const struct level_look *look, bool is_masked, bool is_sky)
 {
     struct model *model = faces->model;
     const size_t count = (size_t)look->w_px * look->h_px;
@@ -33,7 +55,10 @@ static uint32_t add_picture(struct level_faces *faces, const struct level_look *
     picture->found_w_px = picture->w_px = look->w_px;
     picture->found_h_px = picture->h_px = look->h_px;
     picture->pixels = grow_zeroed(count, sizeof *picture->pixels);
-    memcpy(picture->pixels, look->pixels, count * sizeof *picture->pixels);
+    picture->is_masked = is_masked;
+    for (size_t i = 0; i < count; i++)
+        picture->pixels[i] = is_masked ? look->pixels[i] : look->pixels[i] & ~PICTURE_CLEAR;
+    if (is_sky) set_sky(picture);
     return (uint32_t)model->picture_count;
 }
 
@@ -41,15 +66,16 @@ static uint32_t add_picture(struct level_faces *faces, const struct level_look *
 static uint32_t picture_of(struct level_faces *faces, const struct level_paint *paint)
 {
     const struct level_look *look = &faces->textures->looks[paint->look];
-    if (!faces->is_textured || paint->is_plain || paint->transparency || !look->is_known || look->is_one_colour)
-        return 0;
-    while (faces->look_capacity <= paint->look) {
+    const bool is_masked = paint->transparency > 0;
+    const size_t index = LOOK_USES * paint->look + (paint->is_sky ? 2u : is_masked);
+    if (!faces->is_textured || paint->is_plain || !look->is_known || look->is_one_colour) return 0;
+    while (faces->look_capacity <= index) {
         const size_t before = faces->look_capacity;
         faces->pictures = grow(faces->pictures, before, &faces->look_capacity, sizeof *faces->pictures);
         memset(faces->pictures + before, 0, (faces->look_capacity - before) * sizeof *faces->pictures);
     }
-    uint32_t *picture = &faces->pictures[paint->look];
-    if (!*picture) *picture = add_picture(faces, look);
+    uint32_t *picture = &faces->pictures[index];
+    if (!*picture) *picture = add_picture(faces, look, is_masked, paint->is_sky);
     faces->model->pictures[*picture - 1].faces++;
     return *picture;
 }

@@ -15,7 +15,7 @@ struct level_faces {
     struct level_textures *textures;
     bool is_textured;
     uint16_t mover;     /* of faces that are added: model_face.mover */
-    uint32_t *pictures; /* of each look, model_face.picture; 0: not yet */
+    uint32_t *pictures; /* of each look, whole, masked and as a sky, model_face.picture; 0: not yet */
     size_t picture_capacity, look_capacity;
     size_t point_capacity, uv_capacity, corner_capacity, face_capacity;
 };
@@ -28,8 +28,9 @@ struct level_corner {
 struct level_paint {
     size_t look;
     bool is_plain;        /* its mean colour, not its texels */
+    bool is_sky;          /* around the eye */
     uint32_t light;       /* 0xVVVVVV */
-    uint8_t transparency; /* 255: invisible */
+    uint8_t transparency; /* 255: invisible; with a texture, whose clear texels are holes: the share of these */
 };
 
 /* Corners run counter-clockwise as seen from outside. */

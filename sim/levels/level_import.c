@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * From a path to faces: floors and ceilings by sectors, walls by lines. What has no height has no faces: a closed door
- * that does not move is the walls round it. The sky is a ceiling in its mean colour, so that nothing is seen through
- * it. */
+ * that does not move is the walls round it. The sky is a ceiling, so that nothing is seen through it. */
 #include "levels/level_import.h"
 
 #include "base/grow.h"
@@ -39,7 +38,7 @@ static void add_flat(struct importing *importing, const int32_t (*points)[2], si
 {
     const char *flat = is_floor ? sector->floor_flat : sector->ceiling_flat;
     struct level_textures *textures = importing->faces.textures;
-    struct level_paint paint = {.look = importing->sky, .is_plain = true, .light = 0xFFFFFF};
+    struct level_paint paint = {.look = importing->sky, .is_sky = true, .light = 0xFFFFFF};
     if (!level_is_sky(flat))
         paint = (struct level_paint){.look = level_look(textures, LOOK_FLAT, flat),
                                      .light = level_light(textures, sector->light, 0)};

@@ -86,7 +86,8 @@ static void take(const struct level_textures *textures, const struct level_pictu
     look->clear = (double)clear / (double)count;
     look->pixels = grow_zeroed(count, sizeof *look->pixels);
     for (size_t i = 0; i < count; i++)
-        look->pixels[i] = picture->texels[i] == CLEAR_TEXEL ? look->mean : colour_of(textures, picture->texels[i]);
+        look->pixels[i] =
+            picture->texels[i] == CLEAR_TEXEL ? PICTURE_CLEAR | look->mean : colour_of(textures, picture->texels[i]);
 }
 
 /* Wall textures ------------------------------------------------------------------------------ */

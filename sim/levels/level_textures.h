@@ -20,7 +20,7 @@ struct level_look {
     uint32_t mean;       /* 0xRRGGBB, of what is not clear */
     double clear;        /* the share that is */
     bool is_one_colour;  /* all texels are equal */
-    uint32_t *pixels;    /* 0xRRGGBB, rows from the top, what is clear in the mean colour; owned */
+    uint32_t *pixels;    /* 0xRRGGBB, rows from the top, what is clear PICTURE_CLEAR and the mean colour; owned */
 };
 
 struct level_textures {

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Of clear texels: more than this share is nothing to be seen. */
+/* Of clear texels: more than this share is nothing to be seen, as a pane. */
 static const double MOSTLY_CLEAR = 0.97;
 
 enum { OPAQUE = 0, INVISIBLE = 255 };
@@ -64,7 +64,7 @@ static void add_rectangle(const struct wall *wall, int low, int high, double han
 
 static void add_sky(const struct wall *wall, int low, int high)
 {
-    add_rectangle(wall, low, high, high, &(struct level_paint){wall->sky, true, 0xFFFFFF, OPAQUE});
+    add_rectangle(wall, low, high, high, &(struct level_paint){.look = wall->sky, .is_sky = true, .light = 0xFFFFFF});
 }
 
 /* Without a texture Doom shows what is behind, which is mostly the floor or ceiling there: its colour stands for it. */
@@ -75,7 +75,8 @@ static void add_plain(const struct wall *wall, int low, int high, const char *fl
         return;
     }
     const size_t look = level_look(wall->faces->textures, LOOK_FLAT, flat);
-    add_rectangle(wall, low, high, high, &(struct level_paint){look, true, light_of(wall), OPAQUE});
+    add_rectangle(wall, low, high, high,
+                  &(struct level_paint){.look = look, .is_plain = true, .light = light_of(wall)});
 }
 
 static void add_part(const struct wall *wall, int low, int high, double hangs, const char *name, const char *flat)
@@ -86,7 +87,7 @@ static void add_part(const struct wall *wall, int low, int high, double hangs, c
         return;
     }
     const size_t look = level_look(wall->faces->textures, LOOK_WALL, name);
-    add_rectangle(wall, low, high, hangs, &(struct level_paint){look, false, light_of(wall), OPAQUE});
+    add_rectangle(wall, low, high, hangs, &(struct level_paint){.look = look, .light = light_of(wall)});
 }
 
 static double height_of(const struct wall *wall, size_t look)
@@ -162,7 +163,17 @@ static void add_moving(const struct wall *wall, bool is_sky)
     wall->faces->mover = 0;
 }
 
-/* What hangs in an opening: one texture high, and no higher than the opening. Where texels are clear it is a pane. */
+/* Of a wall with holes. Textured, what is seen of it at all is drawn. */
+static uint8_t masked_transparency(const struct level_faces *faces, const struct level_look *look)
+{
+    const double transparency = floor(INVISIBLE * look->clear + 0.5);
+    if (!faces->is_textured) return look->clear > MOSTLY_CLEAR ? INVISIBLE : (uint8_t)transparency;
+    if (look->clear <= 0 || look->clear >= 1) return look->clear > 0 ? INVISIBLE : OPAQUE;
+    return (uint8_t)fmin(fmax(transparency, OPAQUE + 1), INVISIBLE - 1);
+}
+
+/* What hangs in an opening: one texture high, and no higher than the opening. Where texels are clear it has holes, or,
+ * without textures, is a pane. */
 static void add_masked(const struct wall *wall)
 {
     if (!has_texture(wall->side->middle)) return;
@@ -172,8 +183,9 @@ static void add_masked(const struct wall *wall)
     const int ceiling = lower_of(wall->here->ceiling, wall->beyond->ceiling);
     const int height = (int)height_of(wall, look);
     const int hangs = (wall->line->flags & LINE_LOWER_UNPEGGED ? floor + height : ceiling) + wall->side->y_offset;
-    if (!found->is_known || found->clear > MOSTLY_CLEAR) return;
-    const struct level_paint paint = {look, false, light_of(wall), (uint8_t)(INVISIBLE * found->clear + 0.5)};
+    const uint8_t transparency = masked_transparency(wall->faces, found);
+    if (!found->is_known || transparency == INVISIBLE) return;
+    const struct level_paint paint = {.look = look, .light = light_of(wall), .transparency = transparency};
     add_rectangle(wall, higher_of(floor, hangs - height), lower_of(ceiling, hangs), hangs - wall->side->y_offset,
                   &paint);
 }

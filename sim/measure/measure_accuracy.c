@@ -11,6 +11,7 @@
 #include "base/vec3.h"
 #include "core/core.h"
 #include "render/ids.h"
+#include "scene/mem_parts.h"
 #include "scene/moving.h"
 #include "scene/plane.h"
 #include "scene/records.h"
@@ -23,9 +24,10 @@
 struct measured {
     const struct measure_candidate *candidate;
     struct ids ids;
-    size_t *record_words;     /* where each polygon's record begins */
-    bool *is_done;            /* of each vertex, in this frame */
-    struct simulator painted; /* if the scene has textures: what ids shows without them */
+    size_t *record_words;        /* where each polygon's record begins */
+    bool *is_done;               /* of each vertex, in this frame */
+    struct simulator painted;    /* if the scene has textures: what ids shows without them */
+    struct painted_texels coded; /* likewise, textures that say where their texels are */
     struct texel_errors texels;
 };
 
@@ -38,7 +40,9 @@ static bool measured_init(struct measured *measured, const struct measure_candid
     measured->candidate = candidate;
     if (!ids_init(&measured->ids, candidate->scene, &setup, err)) return false;
     if (candidate->scene->moving && !ids_set_movers(&measured->ids, candidate->scene->moving, err)) return false;
-    if (scene->texture_count && !simulator_init(&measured->painted, scene, &setup, err)) return false;
+    if (scene->texture_count && (!simulator_init(&measured->painted, scene, &setup, err) ||
+                                 !painted_texels_init(&measured->coded, candidate->scene, &setup, err)))
+        return false;
     measured->record_words = calloc(scene->polygon_count, sizeof *measured->record_words);
     measured->is_done = calloc(scene->vertex_count, sizeof *measured->is_done);
     if (!measured->record_words || !measured->is_done) return error_set(err, "accuracy: out of memory");
@@ -53,6 +57,7 @@ static void measured_free(struct measured *measured)
 {
     ids_free(&measured->ids);
     simulator_free(&measured->painted);
+    painted_texels_free(&measured->coded);
     texel_errors_free(&measured->texels);
     free(measured->record_words);
     free(measured->is_done);
@@ -170,22 +175,30 @@ static bool measure_texels(struct measured *measured, const struct measure_sourc
                                       scene,
                                       &measured->ids,
                                       &measured->painted,
+                                      &measured->coded,
                                       &source->reference,
                                       source->fine.mapping_count ? &source->fine : &source->mesh,
                                       source->mesh.merged_into,
                                       measured->record_words};
     if (!scene->scene.texture_count) return true;
-    return simulator_frame(&measured->painted, camera, err) && texel_errors_add(&measured->texels, &frame, err);
+    return simulator_frame(&measured->painted, camera, err) && painted_texels_frame(&measured->coded, camera, err) &&
+           texel_errors_add(&measured->texels, &frame, err);
 }
 
 static void sum_up_texels(const struct texel_errors *errors, size_t frames, struct accuracy *out)
 {
+    if (!errors->painted) return;
+    out->texels_painted = errors->painted;
+    out->texel_rms = texel_errors_rms(errors);
+    out->texel_far_percent = 100.0 * (double)errors->far / (double)errors->painted;
+    out->texel_level_percent = 100.0 * (double)errors->other_level / (double)errors->painted;
+    out->texel_straight_percent = errors->sum2 > 0 ? 100.0 * errors->straight_sum2 / errors->sum2 : NAN;
+    out->divisions = (double)errors->divisions / (double)frames;
     if (!errors->pixels) return;
     out->texel_pixels = errors->pixels;
     out->texel_mean = texel_errors_mean(errors);
     out->texel_p99 = texel_errors_p99(errors);
     out->texel_mean_finest = errors->sum_finest / (double)errors->pixels;
-    out->divisions = (double)errors->divisions / (double)frames;
 }
 
 /* Frames ------------------------------------------------------------------------------------- */
@@ -249,8 +262,10 @@ bool measure_accuracy(struct measure_source *source, const struct measure_views 
     for (size_t i = 0; ok && i < count; i++)
         ok = measured_init(&measured[i], &candidates[i], views, err);
     ok = ok && measure_frames(measured, count, source, views, before, out, err);
-    for (size_t i = 0; ok && i < count; i++)
+    for (size_t i = 0; ok && i < count; i++) {
+        out[i].textures_b = texture_memory_b(&candidates[i].scene->scene);
         sum_up_texels(&measured[i].texels, out[i].pixels.frames, &out[i]);
+    }
     for (size_t i = 0; measured && i < count; i++)
         measured_free(&measured[i]);
     free(before);

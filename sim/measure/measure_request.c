@@ -11,12 +11,12 @@
 #include "compiler/tree_choice.h"
 #include "core/core.h"
 #include "levels/level_path.h"
+#include "scene/scene_files.h"
 
 #include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 enum option_code {
     OPTION_CAMERA = 256,
@@ -205,7 +205,35 @@ static bool parse_search(int code, const char *text, struct worst_options *out, 
     return true;
 }
 
-static bool parse_option(int code, char **argv, struct measure_request *out, bool *no_cost, struct error *err)
+/* What an option sets that has no value; NULL: it has one. */
+static bool *flag_of(int code, struct measure_request *out, bool *no_cost)
+{
+    switch (code) {
+    case OPTION_SUB_BITS:
+        return &out->sub_bits;
+    case OPTION_KEEP_FACES:
+        return &out->compile.keep_faces;
+    case OPTION_UNLIT:
+        return &out->compile.unlit;
+    case OPTION_DROP_SMALL:
+        return &out->compile.drop_small;
+    case OPTION_ANTIALIAS:
+        return &out->compile.antialias;
+    case OPTION_DELTA:
+        return &out->compile.delta;
+    case OPTION_OVERLAY:
+        return &out->compile.overlay;
+    case OPTION_FRAMEBUFFER:
+        return &out->compile.framebuffer;
+    case OPTION_NO_COST:
+        return no_cost;
+    default:
+        return NULL;
+    }
+}
+
+/* One that has a value. */
+static bool parse_option(int code, char **argv, struct measure_request *out, struct error *err)
 {
     switch (code) {
     case 'o':
@@ -229,9 +257,6 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_PRECISION:
         return parse_list("--precision", optarg, out, add_core, err);
-    case OPTION_SUB_BITS:
-        out->sub_bits = true;
-        return true;
     case OPTION_CORE:
         return parse_list("--core", optarg, out, add_cpu, err);
     case OPTION_OPTIMISE:
@@ -252,34 +277,10 @@ static bool parse_option(int code, char **argv, struct measure_request *out, boo
         return parse_count("--frames", optarg, &out->frames, err);
     case OPTION_COST_FRAMES:
         return parse_count("--cost-frames", optarg, &out->cost_frames, err);
-    case OPTION_NO_COST:
-        *no_cost = true;
-        return true;
-    case OPTION_KEEP_FACES:
-        out->compile.keep_faces = true;
-        return true;
-    case OPTION_UNLIT:
-        out->compile.unlit = true;
-        return true;
     case ORIENTATION_UP:
     case ORIENTATION_REVERSE_FACES:
     case ORIENTATION_TWO_SIDED:
         return orientation_parse(code, optarg, &out->compile.orientation, err);
-    case OPTION_DROP_SMALL:
-        out->compile.drop_small = true;
-        return true;
-    case OPTION_ANTIALIAS:
-        out->compile.antialias = true;
-        return true;
-    case OPTION_DELTA:
-        out->compile.delta = true;
-        return true;
-    case OPTION_OVERLAY:
-        out->compile.overlay = true;
-        return true;
-    case OPTION_FRAMEBUFFER:
-        out->compile.framebuffer = true;
-        return true;
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);
     default:
@@ -293,8 +294,7 @@ static bool take_model(int argc, char **argv, struct measure_request *out, struc
     if (optind + 1 < argc) return error_set(err, "%s: one model at a time, what is '%s'?", argv[0], argv[optind + 1]);
     out->model = argv[optind];
     if (level_path_parse(out->model, NULL)) out->cameras.level = out->model;
-    const char *dot = strrchr(out->model, '.');
-    if (dot && strcasecmp(dot, ".lim") == 0)
+    if (lim_file_is_named(out->model))
         return error_set(err, "%s: accuracy is measured against the model, not against a compiled scene", out->model);
     level_path_stem(out->model, out->name, sizeof out->name);
     return true;
@@ -342,9 +342,14 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
     if (is_of_one(of)) out->compile.portals = PORTALS_AUTO;
     opterr = 0;
     optind = 1;
-    for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;)
-        if (!(has_option(of, code) ? parse_option(code, argv, out, &no_cost, err) : refuse_option(code, err)))
+    for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;) {
+        bool *const flag = flag_of(code, out, &no_cost);
+        if (!has_option(of, code)) return refuse_option(code, err);
+        if (flag)
+            *flag = true;
+        else if (!parse_option(code, argv, out, err))
             return false;
+    }
     if (!take_model(argc, argv, out, err)) return false;
     if (no_cost && out->cpu_count) return error_set(err, "%s: --core and --no-cost exclude each other", argv[0]);
     if (no_cost && out->optimise) return error_set(err, "%s: --optimise and --no-cost exclude each other", argv[0]);

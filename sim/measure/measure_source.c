@@ -14,6 +14,7 @@
 #include "compiler/mesh_choice.h"
 #include "compiler/mesh_leaf_choice.h"
 #include "compiler/moving_compile.h"
+#include "compiler/texture_budget.h"
 #include "core/core.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
@@ -109,7 +110,9 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
     if (ok && *model.notice) fprintf(stderr, "limner: %s: %s\n", model_path, model.notice);
     const bool moves = ok && model.mover_count > 0;
     if (ok && !options->unlit) light_bake(&model);
-    if (ok && !moves) ok = read_mesh(source, &model, options, w_px, h_px, err) || error_prefix(err, model_path);
+    if (ok && !moves)
+        ok = (texture_budget_apply(&model, options, err) && read_mesh(source, &model, options, w_px, h_px, err)) ||
+             error_prefix(err, model_path);
     if (ok && moves)
         ok = compile_still(source, options, err) && source_take(model_path, &source->still.moving->model, err) &&
              (read_moving(source, options, w_px, h_px, err) || error_prefix(err, model_path));

@@ -54,22 +54,61 @@ static void print_accuracies(const struct measure_table *table, FILE *out)
             first->vertices_without_source);
 }
 
+static void print_number(const char *format, double number, FILE *out)
+{
+    if (isnan(number))
+        fputs(" - |", out);
+    else
+        fprintf(out, format, number);
+}
+
+static void print_texel_row(const struct measure_table *table, const struct measure_row *row, FILE *out)
+{
+    const struct accuracy *accuracy = &row->accuracy;
+    const bool knows_places = accuracy->texel_pixels > 0;
+    fprintf(out, "| %s |", row->core->name);
+    print_number(" %.3f |", knows_places ? accuracy->texel_mean : NAN, out);
+    print_number(" %.2f |", knows_places ? accuracy->texel_p99 : NAN, out);
+    print_number(" %.3f |", knows_places ? accuracy->texel_mean_finest : NAN, out);
+    fprintf(out, " %.0f | %.3f | %.4f | %.2f |", accuracy->divisions, accuracy->texel_rms, accuracy->texel_far_percent,
+            accuracy->texel_level_percent);
+    print_number(" %.0f |", accuracy->texel_straight_percent, out);
+    for (size_t cpu = 0; cpu < table->cpu_count; cpu++)
+        fprintf(out, " %.0f |", row->costs[cpu].mean);
+    fputc('\n', out);
+}
+
 /* Only scenes with textures have such a table. */
 static void print_texels(const struct measure_table *table, FILE *out)
 {
-    if (!table->rows[0].accuracy.texel_pixels) return;
-    fputs("\n| precision | texel error mean | 99 of 100 | mean, of the whole picture | divisions a frame "
-          "|\n|---|---|---|---|---|\n",
-          out);
-    for (size_t i = 0; i < table->row_count; i++) {
-        const struct accuracy *accuracy = &table->rows[i].accuracy;
-        fprintf(out, "| %s | %.3f | %.2f | %.3f | %.0f |\n", table->rows[i].core->name, accuracy->texel_mean,
-                accuracy->texel_p99, accuracy->texel_mean_finest, accuracy->divisions);
-    }
-    fprintf(out,
-            "\nTexels shown, at the pixels' centres, against the model's own faces in double precision: distances "
-            "in texels of the level of detail shown, and of the whole picture; %zu pixels.\n",
-            table->rows[0].accuracy.texel_pixels);
+    const struct accuracy *first = &table->rows[0].accuracy;
+    if (!first->texels_painted) return;
+    fputs(
+        "\n| precision | texel error mean | 99 of 100 | mean, of the whole picture | divisions a frame | rms | off by "
+        "more than one, % | at another level, % | of the squares straight pieces', % |",
+        out);
+    for (size_t cpu = 0; cpu < table->cpu_count; cpu++)
+        fprintf(out, " instructions a frame, %s |", table->cpus[cpu]->title);
+    fputs("\n|---|---|---|---|---|---|---|---|---|", out);
+    for (size_t cpu = 0; cpu < table->cpu_count; cpu++)
+        fputs("---|", out);
+    fputc('\n', out);
+    for (size_t i = 0; i < table->row_count; i++)
+        print_texel_row(table, &table->rows[i], out);
+    fprintf(
+        out,
+        "\nTexels shown, at the pixels' centres, against the model's own faces in double precision: distances in "
+        "texels of the level of detail shown, and of the whole picture; %zu pixels. Off by more than one is a pixel "
+        "that shows neither the true texel nor one next to it; levels are compared with the nearest. Straight "
+        "pieces lie between divisions: their share is what none that is straight would spare. Of a mesh no places "
+        "are known: its rms is how far true ones are from the texels shown.\n",
+        first->texels_painted);
+}
+
+static void print_texture_memory(const struct measure_table *table, FILE *out)
+{
+    if (table->rows[0].accuracy.textures_b)
+        fprintf(out, "\nTextures take %zu bytes of the scene's flash.\n", table->rows[0].accuracy.textures_b);
 }
 
 static void print_kernel(double instructions, FILE *out)
@@ -144,6 +183,7 @@ void measure_table_markdown(const struct measure_table *table, FILE *out)
     print_accuracies(table, out);
     measure_refusals_print(&table->refused, "\n", out);
     print_texels(table, out);
+    print_texture_memory(table, out);
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
         fprintf(out, "\n## %s%s%s\n\n", table->cpus[cpu]->title, table->optimise ? ", code for " : "",
                 table->optimise ? table->optimise : "");
@@ -197,9 +237,23 @@ static void csv_cost(const struct measure_row *row, size_t cpu, const char *name
     fprintf(out, ",%s,%.1f,%llu,%zu", name, cost->mean, (unsigned long long)cost->worst, cost->worst_frame);
     csv_number(cost->vertex, out);
     csv_number(cost->side, out);
-    fprintf(out, ",%zu,%zu,%zu,%zu,%zu,%zu,%d,%s,%zu\n", cost->state_b, cost->pools_b, cost->static_b, cost->code_b,
-            cost->library_b, cost->scene_b, better == NULL, better ? better->name : "",
-            row->accuracy.pixels.total.order);
+    fprintf(out, ",%zu,%zu,%zu,%zu,%zu,%zu,%d,%s", cost->state_b, cost->pools_b, cost->static_b, cost->code_b,
+            cost->library_b, cost->scene_b, better == NULL, better ? better->name : "");
+}
+
+/* Columns of accuracy that came later than those of cost. */
+static void csv_later(const struct measure_row *row, FILE *out)
+{
+    const struct accuracy *accuracy = &row->accuracy;
+    fprintf(out, ",%zu,%zu", accuracy->pixels.total.order, accuracy->textures_b);
+    if (accuracy->texels_painted)
+        fprintf(out, ",%.5f,%.5f,%.4f,", accuracy->texel_rms, accuracy->texel_far_percent,
+                accuracy->texel_level_percent);
+    else
+        fputs(",,,,", out);
+    if (accuracy->texels_painted && !isnan(accuracy->texel_straight_percent))
+        fprintf(out, "%.2f", accuracy->texel_straight_percent);
+    fputc('\n', out);
 }
 
 void measure_table_csv(const struct measure_table *table, FILE *out)
@@ -207,16 +261,19 @@ void measure_table_csv(const struct measure_table *table, FILE *out)
     fputs("scene,w_px,h_px,frames,precision,sub_bits,wrong_percent,worst_frame_percent,worst_frame,beyond_ppm,holes,"
           "vertex_rms_px,vertex_max_px,vertices,vertices_without_source,sides,sides_wrong,"
           "core,instructions,worst_instructions,worst_instructions_frame,a_vertex,a_plane_test,"
-          "state_b,pools_b,static_b,code_b,library_b,scene_b,on_front,dominated_by,order_errors\n",
+          "state_b,pools_b,static_b,code_b,library_b,scene_b,on_front,dominated_by,order_errors,textures_b,"
+          "texel_rms,texel_far_percent,texel_level_percent,texel_straight_percent\n",
           out);
     for (size_t i = 0; i < table->row_count; i++) {
         for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
             csv_accuracy(table, &table->rows[i], out);
             csv_cost(&table->rows[i], cpu, table->cpus[cpu]->name, out);
+            csv_later(&table->rows[i], out);
         }
         if (table->cpu_count) continue;
         csv_accuracy(table, &table->rows[i], out);
-        fprintf(out, ",,,,,,,,,,,,,,,%zu\n", table->rows[i].accuracy.pixels.total.order);
+        fputs(",,,,,,,,,,,,,,", out);
+        csv_later(&table->rows[i], out);
     }
 }
 

@@ -54,8 +54,15 @@ struct accuracy {
     size_t sides, sides_wrong;
     /* Pixels of textured faces: how far the texel shown is from the true one, mean and 99 of 100, texels of the level
      * of detail shown; the mean in texels of the whole picture; divisions a frame, for the perspective. */
+    size_t textures_b; /* of the scene: texture_memory_b() */
     size_t texel_pixels;
     double texel_mean, texel_p99, texel_mean_finest, divisions;
+    /* By any method: root of the mean square, % of pixels whose texel is neither the true one nor next to it, and of
+     * those at another level of detail than the nearest; of trees, the share of the squares that is the straight
+     * pieces',
+     * %, else NaN. */
+    size_t texels_painted;
+    double texel_rms, texel_far_percent, texel_level_percent, texel_straight_percent;
     /* Of methods that sort: polygons split in all frames, and pairs whose order could not be settled. */
     size_t splits;
     struct unsettled unsettled;

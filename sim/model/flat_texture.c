@@ -6,7 +6,8 @@
 
 #include <math.h>
 
-enum { MOST_TEXELS = 1 << 16 };     /* of a box: a larger one counts as no palette's colour */
+enum { MOST_TEXELS = 1 << 16 }; /* of a box: a larger one counts as no palette's colour */
+enum { INVISIBLE = 255 };
 static const double FARTHEST = 1e6; /* pictures from the origin */
 
 struct texel_box {
@@ -65,9 +66,10 @@ size_t flat_texture_find(struct model *model)
         struct picture *picture = face->picture ? &model->pictures[face->picture - 1] : NULL;
         struct texel_box box;
         uint32_t colour;
-        if (!picture || !picture->pixels || !box_of_face(model, face, picture, &box)) continue;
+        if (!picture || !picture->pixels || picture->sky.times || !box_of_face(model, face, picture, &box)) continue;
         if (!is_one_colour(picture, &box, &colour)) continue;
         face->colour = tinted(colour, face->colour);
+        if (picture->is_masked) face->transparency = colour & PICTURE_CLEAR ? INVISIBLE : 0;
         face->picture = 0;
         picture->faces--;
         count++;

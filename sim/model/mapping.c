@@ -132,11 +132,20 @@ static uint32_t list_add(struct mesh *mesh, const struct mapping *mapping)
     return (uint32_t)(*count)++;
 }
 
+/* All faces of a sky share one, and corners have no part in it. */
+static uint32_t sky_add(struct mesh *mesh, uint32_t texture)
+{
+    for (size_t i = 1; i < mesh->mapping_count; i++)
+        if (mesh->mappings[i].texture == texture) return (uint32_t)i;
+    return list_add(mesh, &(struct mapping){.texture = texture});
+}
+
 uint32_t mapping_add(struct mesh *mesh, const struct model *model, const struct model_face *face,
                      const uint32_t *welded, const struct loop *loop, bool *is_affine)
 {
     *is_affine = true;
     if (!face->picture || mesh->textures[face->picture - 1].texel_count == 0) return 0;
+    if (mesh->textures[face->picture - 1].sky.times) return sky_add(mesh, face->picture - 1);
     const struct loop_plane plane = loop_plane_of(loop);
     struct mapping mapping = {.texture = face->picture - 1};
     double axes[2][3];

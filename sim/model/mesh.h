@@ -35,6 +35,7 @@ struct mapping {
 /* One line of text on what could not be taken as it was. */
 struct note {
     char text[256];
+    bool is_detail; /* for the report alone */
 };
 
 /* What became of the input; the report prints it. */
@@ -96,6 +97,9 @@ bool mesh_clean_fine(const struct model *model, const struct grid *grid, struct 
 /* As long as a side of any of the model's textures may get, so that all of them fit a scene: 2^bits. */
 uint8_t mesh_texture_bits(const struct model *model);
 bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err);
+
+/* Makes them anew, as large as their pictures: together perhaps larger than a scene can hold. */
+bool mesh_textures_enlarge(const struct model *model, struct mesh *mesh, struct error *err);
 
 /* Joins coplanar neighbours of one colour, opacity and texture wherever the union is convex, and drops corners in the
  * middle of straight sides; mesh_insert_t_vertices() brings back those that others need. Polygons

@@ -4,6 +4,7 @@
 #include "model/mesh.h"
 
 #include "base/grow.h"
+#include "model/texture_cut.h"
 #include "scene.h"
 
 #include <stdio.h>
@@ -16,16 +17,27 @@ static bool is_shown(const struct picture *picture)
     return picture->faces && picture->w_px;
 }
 
+/* How many levels --texture-budget leaves out of a texture. */
+static unsigned levels_less(const struct picture *picture, uint8_t w_bits)
+{
+    return picture->w_bits_end && w_bits >= picture->w_bits_end ? w_bits + 1u - picture->w_bits_end : 0;
+}
+
+static size_t blocks_of(const struct picture *picture, uint8_t most_bits)
+{
+    uint8_t across, down;
+    texture_bits_of(picture, most_bits, &across, &down);
+    const unsigned less = levels_less(picture, across > down ? across : down);
+    return texture_texels((uint8_t)(across - less), (uint8_t)(down - less)) / LIM_TEXEL_BLOCK;
+}
+
 /* Of all textures together, in blocks. */
 static size_t blocks_at(const struct model *model, uint8_t most_bits)
 {
     size_t blocks = 0;
     for (size_t i = 0; i < model->picture_count; i++) {
         const struct picture *picture = &model->pictures[i];
-        if (is_shown(picture))
-            blocks += texture_texels(texture_side_bits(picture->w_px, most_bits),
-                                     texture_side_bits(picture->h_px, most_bits)) /
-                      LIM_TEXEL_BLOCK;
+        if (is_shown(picture)) blocks += blocks_of(picture, most_bits);
     }
     return blocks;
 }
@@ -33,6 +45,7 @@ static size_t blocks_at(const struct model *model, uint8_t most_bits)
 static struct note *note_add(struct mesh *mesh)
 {
     mesh->notes = grow(mesh->notes, mesh->note_count, &mesh->note_capacity, sizeof *mesh->notes);
+    mesh->notes[mesh->note_count] = (struct note){.is_detail = false};
     return &mesh->notes[mesh->note_count++];
 }
 
@@ -77,6 +90,30 @@ static void note_more(struct mesh *mesh, size_t count)
     snprintf(note->text, sizeof note->text, "textures that are resized as well: %zu", count);
 }
 
+static void note_budget(struct mesh *mesh, const struct model *model)
+{
+    if (*model->textures_became) snprintf(note_add(mesh)->text, sizeof mesh->notes->text, "%s", model->textures_became);
+    for (size_t i = 0; i < model->picture_count; i++) {
+        if (!*model->pictures[i].became) continue;
+        struct note *note = note_add(mesh);
+        note->is_detail = true;
+        snprintf(note->text, sizeof note->text, "texture %s: shown as %s", model->pictures[i].name,
+                 model->pictures[i].became);
+    }
+}
+
+bool mesh_textures_enlarge(const struct model *model, struct mesh *mesh, struct error *err)
+{
+    for (size_t i = 0; i < model->picture_count; i++) {
+        const struct picture *picture = &model->pictures[i];
+        if (!mesh->textures[i].texel_count) continue;
+        texture_free(&mesh->textures[i]);
+        if (!texture_make(picture, MOST_BITS, &mesh->textures[i]))
+            return error_set(err, "texture %s: out of memory", picture->name);
+    }
+    return true;
+}
+
 uint8_t mesh_texture_bits(const struct model *model)
 {
     uint8_t most_bits = MOST_BITS;
@@ -105,9 +142,12 @@ bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct err
         }
         if (!texture_make(picture, most_bits, &mesh->textures[i]))
             return error_set(err, "texture %s: out of memory", picture->name);
-        if (!is_resized(picture, &mesh->textures[i])) continue;
+        const bool was_resized = is_resized(picture, &mesh->textures[i]);
+        texture_cut(&mesh->textures[i], levels_less(picture, mesh->textures[i].w_bits));
+        if (!was_resized || *picture->became) continue;
         if (resized++ < RESIZED_TOLD) note_resized(mesh, picture, &mesh->textures[i], most_bits < MOST_BITS);
     }
+    note_budget(mesh, model);
     if (resized > RESIZED_TOLD) note_more(mesh, resized - RESIZED_TOLD);
     return true;
 }

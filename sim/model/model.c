@@ -20,8 +20,10 @@ void model_free(struct model *model)
     free(model->corners);
     free(model->faces);
     free(model->uvs);
-    for (size_t i = 0; i < model->picture_count; i++)
+    for (size_t i = 0; i < model->picture_count; i++) {
         free(model->pictures[i].pixels);
+        free(model->pictures[i].alpha);
+    }
     free(model->pictures);
     free(model->movers);
     free(model->keys);

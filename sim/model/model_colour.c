@@ -11,6 +11,8 @@
 #include <math.h>
 #include <string.h>
 
+static const double HALF = 0.5;
+
 /* The importer makes up a material where the file has none: its default, or one without a name. */
 static bool is_made_up(const struct aiMaterial *material)
 {
@@ -43,9 +45,12 @@ static void set_opacity(struct model_paint *paint, const struct aiMaterial *mate
     paint->opacity = opacity;
     paint->blends = has_mode && strcmp(mode.data, "BLEND") == 0;
     const bool masked = has_mode && strcmp(mode.data, "MASK") == 0;
+    const double cutoff = masked ? number_of(material, AI_MATKEY_GLTF_ALPHACUTOFF, 0.5F) : HALF;
     paint->textures_blend = !has_mode || paint->blends || masked;
+    if (!has_mode && opacity >= 1) paint->least_alpha = cutoff;
     if (!has_mode || paint->blends) return;
-    paint->opacity = masked && opacity < number_of(material, AI_MATKEY_GLTF_ALPHACUTOFF, 0.5F) ? 0.0 : 1.0;
+    paint->opacity = masked && opacity < cutoff ? 0.0 : 1.0;
+    if (masked && paint->opacity > 0 && opacity > 0) paint->least_alpha = cutoff / opacity;
 }
 
 struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMesh *mesh)

@@ -14,6 +14,7 @@ struct model_paint {
     double opacity;      /* as the file has it, which may be beyond 0..1, or no number */
     bool blends;         /* the vertex colours' alpha counts too: alphaMode BLEND of glTF */
     bool textures_blend; /* so does the alpha of its texture: unless alphaMode of glTF says OPAQUE */
+    double least_alpha;  /* 0..1: what of its texture, or of its mask, has less is clear; 0: nothing is */
     bool two_sided;      /* the material asks for both sides */
     bool unlit;          /* it is not to be lit: `illum 0` of MTL, KHR_materials_unlit of glTF */
 };

@@ -35,6 +35,7 @@ static void copy_pictures(const struct model *model, struct model *part)
         const size_t count = (size_t)from->w_px * from->h_px;
         struct picture *to = &part->pictures[i];
         *to = *from;
+        to->alpha = NULL;
         if (!from->pixels) continue;
         to->faces = 0;
         to->pixels = grow_zeroed(count, sizeof *to->pixels);
@@ -43,16 +44,19 @@ static void copy_pictures(const struct model *model, struct model *part)
     if (model->uvs) part->uvs = grow_zeroed(part->corner_count, sizeof *part->uvs);
 }
 
-/* The mean of a picture, times the face's own colour. */
+/* The mean of what is not clear of a picture, times the face's own colour. */
 static uint32_t flat_colour(const struct picture *picture, uint32_t colour)
 {
     const size_t count = (size_t)picture->w_px * picture->h_px;
+    size_t shown = 0;
     uint32_t out = 0;
-    for (int shift = 16; shift >= 0; shift -= 8) {
+    for (size_t i = 0; i < count; i++)
+        shown += !(picture->pixels[i] & PICTURE_CLEAR);
+    for (int shift = 16; shift >= 0 && shown; shift -= 8) {
         double sum = 0;
         for (size_t i = 0; i < count; i++)
-            sum += picture->pixels[i] >> shift & 0xFF;
-        out |= (uint32_t)(sum / (double)count * (colour >> shift & 0xFF) / 255 + 0.5) << shift;
+            sum += picture->pixels[i] & PICTURE_CLEAR ? 0 : picture->pixels[i] >> shift & 0xFF;
+        out |= (uint32_t)(sum / (double)shown * (colour >> shift & 0xFF) / 255 + 0.5) << shift;
     }
     return out;
 }

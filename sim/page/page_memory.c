@@ -52,6 +52,10 @@ static void write_flash(const struct page *page, FILE *file)
     write_part(file, "what names them, and the rest", 0, scene->report.flash_b - sum_b, all_b);
     if (scene->moving) write_part(file, "what moves", scene->moving->count, all_b - scene->report.flash_b, all_b);
     end_table(file, all_b);
+    if (!scene->scene.texture_count) return;
+    fputs("<p class=\"soft\">Textures take ", file);
+    html_number(file, (double)texture_memory_b(&scene->scene), 0);
+    fputs(" bytes of it, palettes included; <code>--texture-budget KB</code> makes them fit.</p>\n", file);
 }
 
 static void write_ram(const struct page *page, FILE *file)

@@ -14,6 +14,7 @@
 #include "readers/float_step.h"
 #include "readers/import_motion.h"
 #include "readers/inputs.h"
+#include "readers/masked_picture.h"
 #include "readers/model_io.h"
 #include "readers/model_whole.h"
 #include "readers/picture.h"
@@ -37,6 +38,8 @@ struct import {
     struct node_transform transform; /* of the node being read */
     struct model_paint paint;        /* of the mesh being read */
     uint32_t picture, mask;          /* the same; 0: none */
+    struct masked_pictures masked;
+    bool has_sky; /* one of the materials is it */
     unsigned uv_set;
     size_t picture_capacity, point_total;
     const struct aiNode **movers; /* the nodes of model->movers */
@@ -173,7 +176,10 @@ static bool set_transparency(struct import *import, double opacity)
                          model->face_count);
     const double clamped = fmin(fmax(opacity, 0), 1);
     model->alpha_clamped += clamped != opacity;
-    model->faces[model->face_count - 1].transparency = (uint8_t)(255 * (1 - clamped) + 0.5);
+    struct model_face *face = &model->faces[model->face_count - 1];
+    face->transparency = (uint8_t)(255 * (1 - clamped) + 0.5);
+    if (!face->transparency && import->picture && model->pictures[import->picture - 1].is_masked)
+        face->transparency = picture_transparency(&model->pictures[import->picture - 1]);
     return true;
 }
 
@@ -188,6 +194,47 @@ static uint32_t picture_number(struct import *import, const char *name)
     return (uint32_t)++model->picture_count;
 }
 
+/* The picture becomes one with holes, which has a number of its own: others may show it whole. */
+static void take_mask(struct import *import)
+{
+    struct model *model = import->model;
+    const struct mask_of of = {import->picture, import->mask, import->paint.least_alpha};
+    if (!import->picture || !import->mask || !(of.least_alpha > 0)) return;
+    uint32_t number = masked_picture_find(&import->masked, &of);
+    if (!number) {
+        model->pictures =
+            grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
+        number = masked_picture_make(&import->masked, &of, model->pictures, (uint32_t)model->picture_count);
+        model->picture_count += number > model->picture_count;
+    }
+    if (number == import->picture) return;
+    import->picture = number;
+    import->mask = 0;
+}
+
+static bool is_sky(const struct aiMaterial *material)
+{
+    struct aiString name;
+    return pictures_sky() && aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
+           strcmp(name.data, pictures_sky()) == 0;
+}
+
+/* The picture becomes a sky, which has a number of its own: others may show it as it is. */
+static void take_sky(struct import *import)
+{
+    struct model *model = import->model;
+    const char *name = model->pictures[import->picture - 1].name;
+    import->has_sky = true;
+    for (size_t i = 0; i < model->picture_count; i++)
+        if (model->pictures[i].sky.times && strcmp(model->pictures[i].name, name) == 0) {
+            import->picture = (uint32_t)i + 1;
+            return;
+        }
+    model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
+    if (picture_copy_as_sky(&model->pictures[import->picture - 1], &model->pictures[model->picture_count]))
+        import->picture = (uint32_t)++model->picture_count;
+}
+
 static void find_pictures(struct import *import, const struct aiMesh *mesh)
 {
     struct aiString name;
@@ -195,10 +242,15 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
     if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
     const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
     if (picture_name_of(material, &name, &import->uv_set)) import->picture = picture_number(import, name.data);
+    if (import->picture && is_sky(material)) {
+        take_sky(import);
+        return;
+    }
     if (picture_mask_of(material, &name)) import->mask = picture_number(import, name.data);
     if (!import->mask && import->picture && import->paint.textures_blend &&
         import->model->pictures[import->picture - 1].has_alpha)
         import->mask = import->picture;
+    take_mask(import);
 }
 
 /* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
@@ -218,6 +270,11 @@ static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t f
     return true;
 }
 
+static bool is_shown_as_sky(const struct import *import)
+{
+    return import->picture && import->model->pictures[import->picture - 1].sky.times;
+}
+
 static bool add_face(struct import *import, const struct aiFace *from, uint32_t first_point, uint32_t colour)
 {
     struct model *model = import->model;
@@ -228,7 +285,7 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
                                 .colour = colour,
                                 .picture = import->picture,
                                 .two_sided = import->paint.two_sided,
-                                .unlit = import->paint.unlit,
+                                .unlit = import->paint.unlit || is_shown_as_sky(import),
                                 .mover = import->mover};
     if (face->picture) model->pictures[face->picture - 1].faces++;
     if (import->mask) model->pictures[import->mask - 1].clear_faces++;
@@ -347,7 +404,10 @@ bool import_model(const char *path, struct model *model, struct error *err)
     import.scene = import_file(path, &import.numbers.file, err);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) float_step_note(model, import.step_m);
+    if (ok && pictures_sky() && !pictures_are_left_out() && !import.has_sky)
+        model_note(model, "--sky: no material of that name has a picture");
     free(import.movers);
+    masked_pictures_free(&import.masked);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);
     vertex_numbers_free(&import.numbers);

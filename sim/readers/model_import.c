@@ -140,7 +140,7 @@ static bool read_pictures(FILE *in, const struct result *result, struct model *m
     model->pictures = result->picture_count ? read_all(in, result->picture_count, sizeof *model->pictures) : NULL;
     if (!model->pictures) return result->picture_count == 0;
     for (size_t i = 0; i < result->picture_count; i++)
-        model->pictures[i].pixels = NULL; /* what the child had is not ours */
+        model->pictures[i].pixels = NULL, model->pictures[i].alpha = NULL; /* what the child had is not ours */
     model->picture_count = result->picture_count;
     for (size_t i = 0; i < model->picture_count; i++) {
         const size_t count = pixel_count(&model->pictures[i]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Transparent parts are read as opaque, in whatever colour the file gives to them; that there are some is known. */
+ * Transparent parts have whatever colour the file gives to them, and how opaque they are is known. */
 #include "readers/picture.h"
 
 #include "pictures/picture_size.h"
@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <gd.h>
 #include <gd_errors.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +21,11 @@ enum { LARGEST_FILE_B = 64 << 20 };
 /* libgd's messages: of a truncated JPEG it makes a picture that is grey below, and says no more than that. */
 static bool is_truncated;
 
-static bool leaves_out; /* --no-textures */
+static bool leaves_out;      /* --no-textures */
+static const char *sky_name; /* --sky, or NULL */
+
+enum { SKY_COLUMNS = 1024 };
+static const double SKY_HORIZON = 25.0 / 32; /* 100 of 128 rows: Doom's */
 
 static void take_message(int priority, const char *format, va_list arguments)
 {
@@ -73,16 +78,32 @@ static void refuse_import(struct picture *picture, const char *reason)
     refuse(picture, "refused");
 }
 
-static bool has_alpha(gdImagePtr image)
+/* 255 is opaque. */
+static uint8_t alpha_at(gdImagePtr image, int x, int y)
 {
     const int transparent = gdImageTrueColor(image) ? gdImageGetTransparent(image) : -1;
-    for (int y = 0; y < gdImageSY(image); y++) {
-        for (int x = 0; x < gdImageSX(image); x++) {
-            const int colour = gdImageGetTrueColorPixel(image, x, y);
-            if (gdTrueColorGetAlpha(colour) != gdAlphaOpaque || colour == transparent) return true;
-        }
-    }
+    const int colour = gdImageGetTrueColorPixel(image, x, y);
+    if (colour == transparent) return 0;
+    return (uint8_t)((gdAlphaTransparent - gdTrueColorGetAlpha(colour)) * 255 / gdAlphaTransparent);
+}
+
+static bool has_alpha(gdImagePtr image)
+{
+    for (int y = 0; y < gdImageSY(image); y++)
+        for (int x = 0; x < gdImageSX(image); x++)
+            if (alpha_at(image, x, y) != 255) return true;
     return false;
+}
+
+/* Of a picture of this size, by the nearest pixels. */
+static void take_alpha(struct picture *picture, gdImagePtr image)
+{
+    const int w_px = (int)picture->w_px, h_px = (int)picture->h_px;
+    picture->alpha = calloc((size_t)w_px * (size_t)h_px, 1);
+    for (int y = 0; picture->alpha && y < h_px; y++)
+        for (int x = 0; x < w_px; x++)
+            picture->alpha[y * w_px + x] = alpha_at(image, (2 * x + 1) * gdImageSX(image) / (2 * w_px),
+                                                    (2 * y + 1) * gdImageSY(image) / (2 * h_px));
 }
 
 /* Takes the image, shrinks it to the largest size that any scene can have. */
@@ -107,6 +128,7 @@ static void take(struct picture *picture, gdImagePtr image)
         for (int y = 0; y < to_h_px; y++)
             for (int x = 0; x < to_w_px; x++)
                 picture->pixels[y * to_w_px + x] = (uint32_t)small->tpixels[y][x] & 0xFFFFFF;
+        if (picture->has_alpha) take_alpha(picture, image);
     } else {
         refuse(picture, "out of memory");
     }
@@ -185,7 +207,8 @@ static void read_raw(struct picture *picture, const struct aiTexture *texture)
     const struct aiTexel *texel = texture->pcData;
     for (unsigned y = 0; image && y < texture->mHeight; y++)
         for (unsigned x = 0; x < texture->mWidth; x++, texel++) {
-            image->tpixels[y][x] = texel->r << 16 | texel->g << 8 | texel->b;
+            image->tpixels[y][x] =
+                (gdAlphaTransparent - texel->a / 2) << 24 | texel->r << 16 | texel->g << 8 | texel->b;
             picture->has_alpha |= texel->a < 255;
         }
     if (image)
@@ -216,6 +239,31 @@ bool pictures_are_left_out(void)
     return leaves_out;
 }
 
+void pictures_set_sky(const char *material)
+{
+    sky_name = material;
+}
+
+const char *pictures_sky(void)
+{
+    return sky_name;
+}
+
+bool picture_copy_as_sky(const struct picture *from, struct picture *out)
+{
+    const size_t count = (size_t)from->w_px * from->h_px;
+    if (!from->pixels) return false;
+    *out = *from;
+    out->faces = out->clear_faces = 0;
+    out->alpha = NULL;
+    out->pixels = malloc(count * sizeof *out->pixels);
+    if (!out->pixels) return false;
+    memcpy(out->pixels, from->pixels, count * sizeof *out->pixels);
+    const double times = floor((double)SKY_COLUMNS / from->w_px + 0.5);
+    out->sky = (struct sky_look){(unsigned)fmin(fmax(times, 1), SKY_TIMES_MAX), SKY_HORIZON};
+    return true;
+}
+
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out)
 {
     const struct aiTexture *texture = embedded(scene, name);
@@ -237,7 +285,9 @@ void picture_read(const struct aiScene *scene, const char *name, struct picture 
 void picture_free(struct picture *picture)
 {
     free(picture->pixels);
+    free(picture->alpha);
     picture->pixels = NULL;
+    picture->alpha = NULL;
 }
 
 bool picture_mask_of(const struct aiMaterial *material, struct aiString *name)

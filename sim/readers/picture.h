@@ -17,6 +17,13 @@ void picture_read(const struct aiScene *scene, const char *name, struct picture 
 void pictures_leave_out(void);
 bool pictures_are_left_out(void);
 
+/* --sky: faces of the material of this name are a sky, for all of the process; NULL: of none. The text must stay. */
+void pictures_set_sky(const char *material);
+const char *pictures_sky(void);
+
+/* A copy that is seen around the eye. false: there are no pixels. */
+bool picture_copy_as_sky(const struct picture *from, struct picture *out);
+
 void picture_free(struct picture *picture);
 
 /* The texture of a material's colour, and which set of coordinates goes with it. false: it has none. */

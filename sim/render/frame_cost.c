@@ -144,7 +144,7 @@ double frame_cost_work(const struct lim_stats *stats, const struct lim_target *t
            comparison * stats->newell.comparisons + split * stats->newell.splits + mover_piece * stats->movers.pieces;
 }
 
-double frame_cost_textures_m0plus(const struct lim_stats *stats, const struct lim_target *target)
+static double cost_of_textures(const struct lim_stats *stats, const struct lim_target *target)
 {
     static const double PIXEL = 13, DIVISION = 290, LINE = 95, POLYGON = 1550;
     static const double MESH_PIXEL = 11, MESH_LINE = 60, MESH_POLYGON = 600;
@@ -154,6 +154,12 @@ double frame_cost_textures_m0plus(const struct lim_stats *stats, const struct li
                MESH_POLYGON * stats->polygons;
     return PIXEL * stats->pixels_painted + DIVISION * stats->divisions + LINE * stats->lines +
            POLYGON * stats->polygons_seen;
+}
+
+double frame_cost_of_scene_m0plus(const struct lim_stats *stats, const struct lim_target *target,
+                                  const struct lim_scene *scene)
+{
+    return frame_cost_m0plus(stats, target) + (lim_texture_count(scene) ? cost_of_textures(stats, target) : 0.0);
 }
 
 bool frame_cost_is_known(const struct lim_scene *scene)

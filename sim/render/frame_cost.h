@@ -17,11 +17,12 @@ bool frame_cost_knows(enum lim_method method);
  * frame_cost.c. tests/arm/arm_splitters.sh compares. */
 double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target *target);
 
-/* What its textures add, if all of the scene's polygons have one: rounded from what `limner measure` counts of
- * stages texels, texture and texture_line, on rooms and a teapot; a tenth off, or more. */
-double frame_cost_textures_m0plus(const struct lim_stats *stats, const struct lim_target *target);
+/* The same with what the scene's textures add, as if all of its polygons had one: rounded from what `limner measure`
+ * counts of stages texels, texture and texture_line, on rooms and a teapot; a tenth off, or more. */
+double frame_cost_of_scene_m0plus(const struct lim_stats *stats, const struct lim_target *target,
+                                  const struct lim_scene *scene);
 
-/* What that is the sum of. */
+/* What that of polygons of one colour is the sum of. */
 struct frame_cost_term {
     const char *name;
     double count, each; /* instructions */

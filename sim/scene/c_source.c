@@ -178,7 +178,7 @@ static void write_mappings(FILE *file, const struct lim_scene *scene, const stru
             fprintf(file, "(lim_index)(%d), ", (int)(lim_offset)m->plane);
         else
             write_plane_index(file, m->plane);
-        fprintf(file, "%d, %u),", m->level_q3, m->scale);
+        fprintf(file, "%d, %u, %u),", m->level_q3, m->scale, m->texture);
     }
     end_array(file);
 }

@@ -16,10 +16,12 @@ struct portal_report {
     bool tried, kept;
     char refused[96];                       /* why not tried; empty: not asked for */
     size_t zones, pvs, bytes;               /* rooms, different visible sets, flash that they take */
+    size_t given_up;                        /* rooms from which everything counts as seen */
     double mean_polygons;                   /* that a visible set shows, from anywhere in closed cells */
     size_t cameras, different;              /* sampled pictures; those that differ with portals: none may */
     size_t polygons_before, polygons_after; /* reached in all of them */
     size_t vertices_before, vertices_after;
+    double cost_before, cost_after; /* frame_cost_work() of all of them, the look-up included; NaN: not known */
 };
 
 /* What another tree than the BSP tree was weighed against. */
@@ -41,6 +43,7 @@ struct leaf_report {
     } parts[LEAF_PARTS_TOLD]; /* the first ones of them */
     bool tried;               /* a choice was made: what follows is set */
     size_t attempts;
+    size_t dear_near; /* parts left to the tree because they cost more where the eye is near them */
     double instructions, without_instructions; /* predicted; NaN: no attempt was as cheap */
     double wrong_percent, bound_percent;       /* of the last attempt that was looked at; NaN: none was */
 };
@@ -125,6 +128,7 @@ struct compile_report {
     const struct core *core;      /* the precision profile asked for */
     double near_m;                /* options.near_m */
     struct predicted wrong;       /* on sampled cameras; only if options.predict, else .percent is NaN */
+    double reached_a_seen; /* facing polygons that frames reach, for each of which something is seen; 0: not known */
     double instructions; /* of a frame on a Cortex-M0+, predicted (frame_cost.h); NaN: neither nearest first nor by scan
                             lines, or not opaque and flat */
     struct order_choice order;

@@ -7,7 +7,7 @@
 
 enum { COUNT_MAX = 0xFFFF };
 
-static void texture_arrays_free(struct texture_arrays *arrays)
+void texture_arrays_free(struct texture_arrays *arrays)
 {
     free(arrays->mappings);
     free(arrays->textures);
@@ -34,11 +34,4 @@ bool encoding_check_count(size_t count, const char *what, struct error *err)
 {
     return count <= COUNT_MAX || error_set(err, "scene too large: %zu %s, %d are the most (%zu too many)", count, what,
                                            COUNT_MAX, count - COUNT_MAX);
-}
-
-bool encoding_check_textured(size_t words, struct error *err)
-{
-    struct error why;
-    return encoding_check_count(words, "words of polygons with textures", &why) ||
-           error_set(err, "%s; --no-textures does without", why.text);
 }

@@ -48,9 +48,7 @@ void encode_boxes(struct encoding *encoding);
 /* Refuses a count that does not fit 16 bits. */
 bool encoding_check_count(size_t count, const char *what, struct error *err);
 
-/* The same of the words of polygons, if some of them have textures. */
-bool encoding_check_textured(size_t words, struct error *err);
-
+void texture_arrays_free(struct texture_arrays *arrays);
 void encoding_free(struct encoding *encoding);
 
 #endif

@@ -165,7 +165,7 @@ static bool check_flags(const struct checker *work, size_t at, enum place place,
     if (place == IN_LEAF ? !(flags & LIM_POLYGON_PLANE) : flags & (LIM_POLYGON_PLANE | LIM_POLYGON_BACK))
         return error_set(work->err, "polygon at word %zu: %s", at,
                          place == IN_LEAF ? "in a leaf, without a plane" : "a plane of its own beside its node's");
-    return !(flags & LIM_POLYGON_ALPHA) || !(flags & LIM_POLYGON_TEXTURE) ||
+    return !(flags & LIM_POLYGON_ALPHA) || !(flags & LIM_POLYGON_TEXTURE) || work->scene->texture_count ||
            error_set(work->err, "polygon at word %zu: transparent and textured at once", at);
 }
 
@@ -190,12 +190,17 @@ static bool check_texture_words(const struct checker *work, size_t at)
     const lim_index *record = &scene->polygons[at];
     if (!(record[0] & LIM_POLYGON_TEXTURE)) return true;
     const lim_index *words = record + lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS;
-    if (scene->polygon_words > UINT16_MAX)
-        return error_set(work->err, "polygon at word %zu: textured, among %lu words; 65535 are the most then", at,
-                         (unsigned long)scene->polygon_words);
-    return (words[0] < scene->texture_count && words[1] < scene->mapping_count) ||
-           error_set(work->err, "polygon at word %zu: texture %u of %u, mapping %u of %u", at, (unsigned)words[0],
-                     (unsigned)scene->texture_count, (unsigned)words[1], (unsigned)scene->mapping_count);
+    if (words[0] >= scene->texture_count || words[1] >= scene->mapping_count)
+        return error_set(work->err, "polygon at word %zu: texture %u of %u, mapping %u of %u", at, (unsigned)words[0],
+                         (unsigned)scene->texture_count, (unsigned)words[1], (unsigned)scene->mapping_count);
+    const uint16_t named = scene->mappings[words[1]].texture;
+    if (lim_mappings_name_textures(scene) && named != words[0])
+        return error_set(work->err, "polygon at word %zu: texture %u, where its mapping names %u", at,
+                         (unsigned)words[0], (unsigned)named);
+    const bool is_masked = lim_texture_is_masked(&scene->textures[words[0]]);
+    return is_masked == ((record[0] & LIM_POLYGON_ALPHA) != 0) ||
+           error_set(work->err, "polygon at word %zu: %s", at,
+                     is_masked ? "a masked texture, and no alpha" : "transparent and textured at once");
 }
 
 static bool check_record(struct checker *work, size_t at, enum place place, bool is_first)

@@ -16,7 +16,9 @@ static bool check_texture(const struct lim_scene *scene, size_t index, struct er
     if (texture->h_bits > texture->w_bits) return error_set(err, "texture %zu: higher than wide", index);
     if (texture->levels < 1 || texture->levels > texture->h_bits + 1)
         return error_set(err, "texture %zu: %u levels", index, texture->levels);
-    if (texture->place_bits > (*scene->uvs ? PLACE_BITS_MAX : 0))
+    if (*scene->uvs ? texture->place_bits > PLACE_BITS_MAX
+                    : texture->place_bits && texture->place_bits != LIM_TEXTURE_MASKED &&
+                          texture->place_bits != LIM_TEXTURE_SKY)
         return error_set(err, "texture %zu: places of %u bits", index, texture->place_bits);
     size_t texels = 0;
     for (unsigned level = 0; level < texture->levels; level++)
@@ -40,7 +42,8 @@ static bool check_mapping(const struct lim_scene *scene, size_t index, struct er
         return error_set(err, "mapping %zu: a vector is too long", index);
     if (mapping->scale >> LIM_MAPPING_AXIS_SHIFT > 2)
         return error_set(err, "mapping %zu: there is no such axis", index);
-    if (mapping->zero) return error_set(err, "mapping %zu: its spare field is not zero", index);
+    if (mapping->texture >= (lim_mappings_name_textures(scene) ? scene->texture_count : 1))
+        return error_set(err, "mapping %zu: names texture %u", index, (unsigned)mapping->texture);
     const lim_offset offset = (lim_offset)mapping->plane;
     if (upright && (offset < INT16_MIN || offset > INT16_MAX))
         return error_set(err, "mapping %zu: an axis plane at %ld, outside of the grid", index, (long)offset);

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 enum { FILE_MOST_B = 1 << 30 };
@@ -151,6 +152,12 @@ static bool read_scene(FILE *file, const char *path, struct compiled *out, struc
     }
     if (!ok) free(image);
     return ok;
+}
+
+bool lim_file_is_named(const char *path)
+{
+    const char *suffix = strrchr(path, '.');
+    return suffix && strcasecmp(suffix, ".lim") == 0;
 }
 
 bool lim_file_read(const char *path, struct compiled *out, struct error *err)

@@ -9,7 +9,7 @@
 #include "scene/compiled.h"
 #include "scene/encoding.h"
 
-enum { LIM_FILE_VERSION = 10, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+enum { LIM_FILE_VERSION = 11, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
 extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
 

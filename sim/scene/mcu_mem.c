@@ -92,9 +92,9 @@ static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps,
            (sorts ? 0 : lim_portals_mem_b(&scene->scene) + leaves_b(scene));
 }
 
-static size_t layers_b(const struct lim_limits *limits)
+static size_t layers_b(const struct lim_limits *limits, bool is_masked)
 {
-    return limits->layers * (size_t)MCU_LAYER_B;
+    return limits->layers * ((size_t)MCU_LAYER_B + (is_masked ? (size_t)MCU_LAYER_MASKED_B : 0));
 }
 
 static size_t convex_b(const struct compiled *scene, size_t active)
@@ -140,7 +140,8 @@ size_t mcu_mem_b(const struct compiled *scene)
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
     if (method_draws_meshes(scene->report.draws))
         return mesh_b(scene, limits.active < MCU_MESH_LEAST_ACTIVE ? MCU_MESH_LEAST_ACTIVE : limits.active);
-    return nearest_b(scene, limits.retained_cells, limits.gaps, limits.active, limits.pieces) + layers_b(&limits);
+    return nearest_b(scene, limits.retained_cells, limits.gaps, limits.active, limits.pieces) +
+           layers_b(&limits, needs.masked);
 }
 
 size_t mcu_mem_min_b(const struct compiled *scene)

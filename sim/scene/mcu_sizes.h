@@ -23,6 +23,7 @@ enum {
     MCU_LONG_EDGES_B = 28,         /* more of them in profile exact: edges of 64 bits */
     MCU_LONG_EDGES_MIN_SUB_BITS = 10,
     MCU_LAYER_B = 8,
+    MCU_LAYER_MASKED_B = 8, /* more of them if textures are masked */
     MCU_TOP_B = 2,
     MCU_FACE_B = 6,
     MCU_SORTED_B = 8,

@@ -34,6 +34,12 @@ size_t flash_parts(const struct compiled *scene, struct mem_part parts[FLASH_PAR
     return count;
 }
 
+size_t texture_memory_b(const struct lim_scene *scene)
+{
+    return scene->texel_blocks * (size_t)LIM_TEXEL_BLOCK + scene->palette_colours * sizeof *scene->palettes +
+           scene->texture_count * sizeof *scene->textures;
+}
+
 /* A pool's part: the working memory, less what it is with that pool empty. */
 static void add_pool(struct mem_part *parts, size_t *count, const char *name, const struct compiled *scene,
                      const struct lim_limits *without, size_t held)

@@ -21,4 +21,8 @@ size_t flash_parts(const struct compiled *scene, struct mem_part parts[FLASH_PAR
 /* What mcu_mem_b() is the sum of. */
 size_t ram_parts(const struct compiled *scene, struct mem_part parts[RAM_PARTS_MAX]);
 
+/* Bytes of flash of a scene's textures: texels, palettes, and the structs that name them; not where polygons show them.
+ * What --texture-budget is for. */
+size_t texture_memory_b(const struct lim_scene *scene);
+
 #endif

@@ -21,6 +21,14 @@ static bool walks_tree(enum lim_method draws)
     return draws == LIM_NEAREST_FIRST || draws == LIM_PAINTER || draws == LIM_SCANLINE;
 }
 
+/* Of that kind. */
+static bool has_textures(const struct lim_scene *scene, unsigned kind)
+{
+    for (size_t i = 0; i < scene->texture_count && !*scene->uvs; i++)
+        if (scene->textures[i].place_bits & kind) return true;
+    return false;
+}
+
 static struct needs needs_of_scene(const struct compiled *scene)
 {
     return (struct needs){.nearest = scene->report.draws == LIM_NEAREST_FIRST,
@@ -36,6 +44,8 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .leaves = scene->report.leaves > 0 || scene->scene.limits.leaf_polygons > 0,
                           .mesh_leaves = scene->scene.limits.leaf_polygons > 0,
                           .textures = scene->scene.texture_count > 0,
+                          .masked = has_textures(&scene->scene, LIM_TEXTURE_MASKED),
+                          .sky = has_textures(&scene->scene, LIM_TEXTURE_SKY),
                           .portals = scene->scene.place_count > 0,
                           .slanted = scene->scene.plane_count > 0,
                           .large = scene->scene.exact_count > 0,
@@ -90,6 +100,8 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .leaves = a->leaves || b->leaves,
                           .mesh_leaves = a->mesh_leaves || b->mesh_leaves,
                           .textures = a->textures || b->textures,
+                          .masked = a->masked || b->masked,
+                          .sky = a->sky || b->sky,
                           .portals = a->portals || b->portals,
                           .slanted = a->slanted || b->slanted,
                           .large = a->large || b->large,
@@ -161,6 +173,8 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_LEAVES", needs->leaves);
     write_macro(file, "HAS_MESH_LEAVES", needs->mesh_leaves);
     write_macro(file, "HAS_TEXTURE", needs->textures);
+    write_macro(file, "HAS_MASKED", needs->masked);
+    write_macro(file, "HAS_SKY", needs->sky);
     write_macro(file, "HAS_PORTALS", needs->portals);
     write_macro(file, "HAS_SLANTED", needs->slanted);
     write_macro(file, "HAS_LARGE", needs->large);

@@ -15,20 +15,20 @@ struct needs {
     bool nearest, scanline, convex, painter; /* methods */
     bool depth, newell, mesh, mesh_depth;    /* more of them */
     bool leaves, mesh_leaves;                /* ordered clusters; leaves whose order is by distance */
-    bool textures;
-    bool portals;              /* what can be seen from where */
-    bool wide;                 /* indices of 32 bits */
-    bool cull, slanted, large; /* what the methods have to do with the scene's boxes and planes */
-    bool transparent;          /* polygons with alpha */
-    bool wireframe;            /* to be drawn so */
-    bool movers, light;        /* what moves, and whether it is lit in each frame */
-    bool antialias;            /* with smooth edges */
-    bool delta, round, fill;   /* what changes alone; round glass; targets that keep the picture */
-    bool overlay;              /* what lies over frames */
-    bool framebuffer;          /* targets with all pixels in memory */
-    unsigned vertices;         /* most of any polygon */
-    unsigned side_px;          /* longest of any panel that pools were measured for; 0: none */
-    const struct core *core;   /* precision; NULL: not said */
+    bool textures, masked, sky;              /* masked: some have clear texels; sky: some are seen around the eye */
+    bool portals;                            /* what can be seen from where */
+    bool wide;                               /* indices of 32 bits */
+    bool cull, slanted, large;               /* what the methods have to do with the scene's boxes and planes */
+    bool transparent;                        /* polygons with alpha */
+    bool wireframe;                          /* to be drawn so */
+    bool movers, light;                      /* what moves, and whether it is lit in each frame */
+    bool antialias;                          /* with smooth edges */
+    bool delta, round, fill;                 /* what changes alone; round glass; targets that keep the picture */
+    bool overlay;                            /* what lies over frames */
+    bool framebuffer;                        /* targets with all pixels in memory */
+    unsigned vertices;                       /* most of any polygon */
+    unsigned side_px;                        /* longest of any panel that pools were measured for; 0: none */
+    const struct core *core;                 /* precision; NULL: not said */
 };
 
 /* `moving`: what moves in it, or NULL. */

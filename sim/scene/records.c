@@ -10,3 +10,10 @@ size_t records_with(const struct lim_scene *scene, lim_index flags)
         count += (record_at(scene, at).flags & flags) != 0;
     return count;
 }
+
+bool records_blended(const struct lim_scene *scene)
+{
+    for (size_t at = 0; at < scene->polygon_words; at += record_at(scene, at).words)
+        if ((record_at(scene, at).flags & (LIM_POLYGON_ALPHA | LIM_POLYGON_TEXTURE)) == LIM_POLYGON_ALPHA) return true;
+    return false;
+}

@@ -33,4 +33,7 @@ static inline struct record record_at(const struct lim_scene *scene, size_t word
 /* How many have any of these flags. */
 size_t records_with(const struct lim_scene *scene, lim_index flags);
 
+/* Whether any is transparent all over: not by holes of its texture alone. */
+bool records_blended(const struct lim_scene *scene);
+
 #endif

@@ -24,6 +24,9 @@ struct named_scene {
 bool lim_file_write(const struct compiled *scene, const char *path, struct error *err);
 bool lim_file_read(const char *path, struct compiled *out, struct error *err);
 
+/* Whether a path ends as those of .lim files do. */
+bool lim_file_is_named(const char *path);
+
 /* NAME.c and NAME.h: const arrays and the configuration for a firmware build. `name` is a path
  * without suffix; its last part prefixes the C symbols. */
 bool c_source_write(const struct compiled *scene, const char *name, struct error *err);

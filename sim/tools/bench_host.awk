@@ -2,7 +2,9 @@
 #
 # Callgrind's profiles, one a frame, with names and positions in full -> a line "STAGE MEAN WORST" for the whole frame
 # and each file of firmware/, instructions. A function counts for the file that defines it, with all that was inlined
-# into it; what it calls counts for itself.
+# into it; what it calls counts for itself. `own`: which files are meant, if not those of firmware/.
+
+BEGIN { if (!own) own = "/firmware/([a-z]*/)?[a-z0-9_]*\\.[ch]$" }
 
 FNR == 1 {
     close_frame()
@@ -10,7 +12,7 @@ FNR == 1 {
 }
 
 /^fl=/ {
-    mine = /\/firmware\/([a-z]*\/)?[a-z0-9_]*\.[ch]$/
+    mine = $0 ~ own
     stage = $0
     sub(/.*\//, "", stage)
     sub(/\..*/, "", stage)

@@ -11,11 +11,11 @@ bench_host_method() { # FOLDER
     awk '/define LIM_HAS_MESH 1$/ { print "--method mesh" } /define LIM_HAS_MESH_DEPTH 1$/ { print "--method mesh-depth" }' "$1/model.h"
 }
 
-# bench_host_count FOLDER CAMERAS SIZE: of FOLDER/model.c and model.lim; prints "STAGE MEAN WORST", the frame first.
+# bench_host_count FOLDER CAMERAS SIZE [FOV]: of FOLDER/model.c and model.lim; prints "STAGE MEAN WORST", the frame first.
 bench_host_count() {
     rm -f "$1"/callgrind.*
     # shellcheck disable=SC2046 # words
-    "$BUILD/limner" render "$1/model.lim" --camera "$2" --size "$3" --precision fast $(bench_host_method "$1") --write-cameras "$1/cameras.h" \
+    "$BUILD/limner" render "$1/model.lim" --camera "$2" --size "$3" --fov "${4:-60}" --precision fast $(bench_host_method "$1") --write-cameras "$1/cameras.h" \
         --write-hashes "$1/expected" >/dev/null &&
         target_link host "$1/image" -g -ffreestanding -I"$1" '-DLIM_CONFIG="model.h"' -DLIM_HAS_STATS=0 \
             sim/targets/frames.c boards/common/app_scene.c "$1"/model*.c firmware/*.c firmware/*/*.c &&

@@ -37,8 +37,11 @@ methods slow tables-methods methods /limner /generate_bench arm-none-eabi-gcc qe
 scale slow scale scale /limner /generate_scale arm-none-eabi-gcc qemu-system-arm gnuplot
 predictions slow predictions predictions /limner /generate_scale /scenes/demo.obj
 levels slow tables-levels levels /limner arm-none-eabi-gcc qemu-system-arm
+doom slow tables-doom doom /limner apt-get valgrind
+visibility slow tables-visibility visibility /limner
 delta-cost slow tables-delta-cost delta /limner arm-none-eabi-gcc qemu-system-arm
 overlay-cost slow tables-overlay-cost overlay /limner arm-none-eabi-gcc qemu-system-arm
+texels slow tables-texels texels /limner arm-none-eabi-gcc qemu-system-arm
 walk-cost slow tables-walk-cost walks /limner /scenes/demo.obj arm-none-eabi-gcc qemu-system-arm
 boards slow tables-boards boards /limner
 foreign slow tables-foreign foreign /limner

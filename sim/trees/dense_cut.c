@@ -229,9 +229,8 @@ static bool parts_list(const struct bsp *bsp, const uint32_t *list, size_t count
     return met == BSP_BOTH;
 }
 
-/* Halfway from `high`, where the extents so far end, to `low`, where the next one begins. false: either reaches over
- * it.
- */
+/* Halfway between `high`, where the extents so far end, and `low`, where the next one begins. false: one of them
+ * reaches across. */
 static bool gap_at(const struct bsp *bsp, double high, double low, int32_t *d)
 {
     *d = (int32_t)lround((high + low) / 2.0);

@@ -368,6 +368,11 @@ own_functions_are_counted() {
     printf 'frame 206.0 306\nframe.c 1.0 1\nspan 205.0 305\n' | diff - "$work/counted"
 }
 
+so_are_those_of_another() {
+    awk -v own='/targets/' -f sim/tools/bench_host.awk "$work/callgrind.1" "$work/callgrind.2" >"$work/counted"
+    printf 'frame 7000.0 7000\nframes 7000.0 7000\n' | diff - "$work/counted"
+}
+
 no_frame_is_an_error() {
     grep -v firmware "$work/callgrind.1" >"$work/callgrind.3"
     ! awk -f sim/tools/bench_host.awk "$work/callgrind.3" 2>"$work/err" && grep -q 'not one frame' "$work/err"
@@ -440,6 +445,7 @@ tap_check "the pages' tables are the baseline's" \
     sh sim/tools/tables.sh --check figures peers bench bench-stages bench-memory
 tap_check "a table whose row is missing is refused" tables_need_their_rows
 tap_check "of callgrind's functions the renderer's own are counted" own_functions_are_counted
+tap_check "or those of another renderer" so_are_those_of_another
 tap_check "profiles without a frame are an error" no_frame_is_an_error
 tap_check "a seed gives the same cameras again, another others" random_is_the_same_again
 tap_check "a compiled scene has the same" random_of_a_compiled_scene

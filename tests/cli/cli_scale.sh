@@ -55,6 +55,13 @@ tap_check "a walk through 6 x 6 rooms" walk_costs rooms6
 tap_check "the same walk in 24 x 24 rooms" walk_costs rooms24
 tap_check "costs the same, give or take" grows_little
 
+# The smallest BSP tree of these reaches fifteen polygons for each that is seen.
+other_tree() { # SCENE
+    walk_costs "$1" && paste -d ' ' "$work/rooms6.costs" "$work/$1.costs" |
+        awk '{ print; on = NF == 4 && $1 > 100000 && $3 <= 1.3 * $1 } END { exit !on }'
+}
+tap_check "9 x 9 rooms have a tree that reaches few" other_tree rooms9
+
 # Wide scenes: indices of 32 bits, where more than 65535 of something are counted.
 is_wide() { grep -q "^#define LIM_HAS_WIDE $2\$" "$work/$1.h"; }
 tap_check "a small building is narrow" is_wide rooms6 0

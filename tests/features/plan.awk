@@ -38,6 +38,8 @@ function follow_on(on) {
     if (is(on, "PORTALS", 1)) on["LIM_HAS_CULL"] = 1
     if (is(on, "MESH_LEAVES", 1)) on["LIM_HAS_LEAVES"] = 1
     if (is(on, "LINES", 0)) on["LIM_HAS_FILL"] = 1
+    if (is(on, "MASKED", 1)) on["LIM_HAS_TEXTURE"] = on["LIM_HAS_TRANSPARENT"] = 1
+    if (is(on, "SKY", 1)) on["LIM_HAS_TEXTURE"] = 1
 }
 
 function follow_off(on) {
@@ -50,6 +52,8 @@ function follow_off(on) {
     if (is(on, "SLANTED", 0)) on["LIM_HAS_LARGE"] = 0
     if (is(on, "CULL", 0)) on["LIM_HAS_PORTALS"] = 0
     if (is(on, "LEAVES", 0)) on["LIM_HAS_MESH_LEAVES"] = 0
+    if (is(on, "TEXTURE", 0)) on["LIM_HAS_MASKED"] = on["LIM_HAS_SKY"] = 0
+    if (is(on, "TRANSPARENT", 0)) on["LIM_HAS_MASKED"] = 0
 }
 
 function is(on, name, value) {

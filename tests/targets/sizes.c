@@ -23,7 +23,8 @@ enum {
                (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0)
 };
 _Static_assert(ACTIVE_B == sizeof(struct lim_active), "active polygon");
-_Static_assert(MCU_LAYER_B == sizeof(struct lim_layer), "transparent piece of a line");
+_Static_assert(MCU_LAYER_B + (LIM_HAS_MASKED ? MCU_LAYER_MASKED_B : 0) == sizeof(struct lim_layer),
+               "transparent piece of a line");
 _Static_assert((int)MCU_HEAD_CELLS == (int)LIM_RETAINED_HEAD_CELLS, "head of a retained polygon");
 _Static_assert((int)MCU_CLIP_PLANES == (int)CLIP_PLANES, "vertices that clipping adds");
 

@@ -4,8 +4,8 @@
 # shellcheck shell=sh disable=SC2154 # of tables.sh: work
 
 sh sim/tools/level_rows.sh >"$work/rows"
-echo "| map | faces | polygons | splits | flash, KB | without textures | RAM, KB | without | thousand instructions, M4F | without | wrong, % |"
-echo "|---|---|---|---|---|---|---|---|---|---|---|"
-awk 'function thousand(n) { return n == "-" ? "-" : sprintf("%.0f", n / 1000) }
-    { printf "| %s | %d | %d | %d | %s | %s | %s | %s | %s | %s | %s |\n", $1, $11, $12, $13, thousand($5), thousand($14),
-        thousand($6), thousand($15), thousand($7), thousand($16), $8 == "-" ? $17 : $8 }' "$work/rows"
+echo "| map | faces | polygons | splits | flash, KB | without textures | textures, KB | RAM, KB | without | thousand instructions, M4F | without | wrong, % |"
+echo "|---|---|---|---|---|---|---|---|---|---|---|---|"
+awk 'function thousand(n) { return sprintf("%.0f", n / 1000) }
+    { printf "| %s | %d | %d | %d | %s | %s | %s | %s | %s | %s | %s | %s |\n", $1, $12, $13, $14, thousand($5), thousand($15),
+        thousand($6), thousand($7), thousand($17), thousand($8), thousand($18), $9 }' "$work/rows"

@@ -77,7 +77,7 @@ static struct sizes sizes_of(const struct lim *lim, enum lim_method method)
 {
     const struct lim_retained *retained = &lim->nearest->retained;
     struct sizes sizes = {(size_t)((uint8_t *)lim->pass.view.cache - (uint8_t *)retained->cells), 0,
-                          lim->nearest->paint.layers->size};
+                          lim->nearest->paint.layers->own_size};
 
     assert_int_equal(retained->whole, numbered(sizes.shared_b / sizeof(union lim_retained_cell)));
     assert_int_equal(lim->nearest->spans.pool_size, numbered(sizes.shared_b / sizeof(struct lim_gap)));
@@ -112,7 +112,7 @@ static void check_places(struct lim *lim, enum lim_method method, uint8_t *mem, 
     memset(mem, 0, mem_b);
     mark(mem, mem_b, lim->nearest->retained.cells, sizes.shared_b);
     mark(mem, mem_b, lim->nearest->spans.lines, H_PX * sizeof(struct lim_line));
-    mark(mem, mem_b, lim->nearest->paint.layers->pool, sizes.layers * sizeof(struct lim_layer));
+    mark(mem, mem_b, lim->nearest->paint.layers->own, sizes.layers * sizeof(struct lim_layer));
     mark(mem, mem_b, lim->pass.view.cache, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
     if (method == LIM_NEAREST_FIRST) mark(mem, mem_b, lim->pass.walk->stack, 7 * sizeof *lim->pass.walk->stack);
     if (method != LIM_NEAREST_FIRST) mark(mem, mem_b, sorter->list, sorter->size * sizeof *sorter->list);

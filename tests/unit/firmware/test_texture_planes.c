@@ -107,11 +107,19 @@ static void any_mapping(struct stage *stage, struct random *random)
     mapping->level_q3 = (int8_t)floor(8 * level + 0.5);
 }
 
-static void stage_open(struct stage *stage, struct random *random)
+static void stage_begin_frame(struct stage *stage)
 {
     static struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
     struct lim_view view = {0};
 
+    lim_view_init(&view, (uint16_t)stage->w_px, (uint16_t)stage->h_px, cache);
+    assert_true(lim_view_begin(&view, &stage->scene, &stage->camera));
+    lim_texture_begin(&stage->texturing, &stage->scene, &view, &stage->camera);
+    stage->texturing.far_bits = 17; /* the scene has no vertices */
+}
+
+static void stage_open(struct stage *stage, struct random *random)
+{
     stage->mapping = (struct lim_mapping){0};
     stage->w_px = (int)random_in(random, 2, 240);
     stage->h_px = (int)random_in(random, 2, 240);
@@ -126,10 +134,7 @@ static void stage_open(struct stage *stage, struct random *random)
                                       .palettes = stage->palette,
                                       .mapping_count = 1,
                                       .texture_count = 1};
-    lim_view_init(&view, (uint16_t)stage->w_px, (uint16_t)stage->h_px, cache);
-    assert_true(lim_view_begin(&view, &stage->scene, &stage->camera));
-    lim_texture_begin(&stage->texturing, &stage->scene, &view, &stage->camera);
-    stage->texturing.far_bits = 17; /* the scene has no vertices */
+    stage_begin_frame(stage);
 }
 
 /* Where the ray through a pixel's centre meets the plane: how far away, and the place there. false: nowhere. */
@@ -195,7 +200,7 @@ static void check_level(const struct stage *stage, int x, int y, unsigned level)
 
 static void check_line(struct stage *stage, struct lim_gradients *gradients, int y, int left, int right, int from)
 {
-    const struct lim_textured_span span = {&stage->texturing, gradients, (int16_t)y, (int16_t)left, (int16_t)right};
+    const struct lim_textured_span span = {&stage->texturing, gradients, y, left, right};
     struct lim_texture_line line;
 
     lim_texture_line_begin(&line, &span, (int16_t)from);
@@ -269,7 +274,7 @@ static void planes_through_the_eye_end_well(void **state)
         if (stage.mapping.scale & LIM_MAPPING_UPRIGHT) stage.mapping.plane = 0;
         lim_texture_set(&stage.texturing, 0, NULL, 0, &gradients);
         const struct lim_textured_span span = {&stage.texturing, &gradients,
-                                               (int16_t)random_in(&random, 0, stage.h_px - 1), -300, 500};
+                                               (int32_t)random_in(&random, 0, stage.h_px - 1), -300, 500};
         struct lim_texture_line line;
         lim_texture_line_begin(&line, &span, 0);
         while (!gradients.is_even && line.end < stage.w_px)
@@ -277,9 +282,72 @@ static void planes_through_the_eye_end_well(void **state)
     }
 }
 
+/* What a line's pieces show, pixel by pixel. */
+static uint16_t painted_pixels[240];
+static uint32_t painted_places[240];
+
+static void keep_places(uint16_t *end, uint_fast16_t n, uint32_t place, const struct lim_texture_level *level)
+{
+    assert_true(n >= 1 && end - n >= painted_pixels && end <= painted_pixels + 240);
+    for (uint32_t *to = painted_places + (end - n - painted_pixels); n; n--, place += level->step)
+        *to++ = place;
+}
+
+/* Of a polygon of one level, whose texels nobody has. */
+static void check_painted(struct stage *stage, struct random *random, struct lim_gradients *gradients)
+{
+    const int left = (int)random_in(random, -300, stage->w_px - 1);
+    const int right = (int)random_in(random, (left > 0 ? left : 0) + 1, 500);
+    const struct lim_textured_span span = {&stage->texturing, gradients, (int32_t)random_in(random, 0, stage->h_px - 1),
+                                           left, right};
+    const int last = right < stage->w_px ? right : stage->w_px;
+    const int x0 = (int)random_in(random, left > 0 ? left : 0, last - 1), x1 = (int)random_in(random, x0 + 1, last);
+    struct lim_texture_line line;
+
+    gradients->planes.level_depth = 0;
+    gradients->planes.level_depths = UINT32_MAX;
+    gradients->paint = keep_places;
+    memset(painted_places, 0x55, sizeof painted_places);
+    (void)lim_texture_fill_stretches(&span, painted_pixels, x0, x1);
+    lim_texture_line_begin(&line, &span, (int16_t)x0);
+    for (int x = x0; x < x1; x++) {
+        if (x == line.end) lim_texture_line_next(&line);
+        assert_int_equal(painted_places[x], lim_texture_place(&line, x));
+    }
+    assert_true(x1 == 240 || painted_places[x1] == 0x55555555);
+}
+
+/* Lines that are equally far away all over have a way of their own. Every other camera looks straight ahead at floors.
+ */
+static void what_is_painted_is_what_is_walked(void **state)
+{
+    static struct stage stage;
+    struct random random = {709};
+    int flat = 0, slanted = 0;
+
+    (void)state;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct lim_gradients gradients;
+        stage_open(&stage, &random);
+        if (round % 2) {
+            stage.camera.pitch = stage.camera.roll = 0;
+            stage.mapping.scale =
+                (uint8_t)((stage.mapping.scale & LIM_MAPPING_BITS) | LIM_MAPPING_UPRIGHT | 1 << LIM_MAPPING_AXIS_SHIFT);
+            stage_begin_frame(&stage);
+        }
+        lim_texture_set(&stage.texturing, 0, NULL, 0, &gradients);
+        if (gradients.is_even) continue;
+        *(gradients.planes.depth.x ? &slanted : &flat) += 1;
+        check_painted(&stage, &random, &gradients);
+    }
+    print_message("%d polygons whose lines are equally far away all over, %d others\n", flat, slanted);
+    assert_true(flat > ROUNDS / 20 && slanted > ROUNDS / 20);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_painted_is_what_is_walked),
         cmocka_unit_test(pixels_show_what_rays_meet),
         cmocka_unit_test(planes_through_the_eye_end_well),
     };

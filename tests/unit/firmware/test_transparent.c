@@ -319,11 +319,12 @@ static void any_memory_paints_the_same(void **state)
     assert_true(banded >= SCENES);
 }
 
-/* The stack alone: everything else is as large as the scene wants it. */
+/* The stack's own memory alone: everything else is as large as the scene wants it. Most stacks then lie in idle memory;
+ * test_layers.c has those that do not fit there either. */
 static void a_stack_that_is_too_small_paints_the_same(void **state)
 {
     struct random random = {29};
-    unsigned banded = 0;
+    unsigned beyond = 0;
 
     (void)state;
     for (int s = 0; s < SCENES; s++) {
@@ -337,13 +338,12 @@ static void a_stack_that_is_too_small_paints_the_same(void **state)
             small.scene.limits.layers = (uint16_t)random_in(&random, 1, 1 + stage.scene.scene.limits.layers / 2);
             draw(&stage.scene, LIM_PAINTER, 0, &camera, &whole, &stats);
             draw(&small, LIM_NEAREST_FIRST, 0, &camera, &part, &stats);
-            assert_true(stats.layers_max <= small.scene.limits.layers);
-            banded += stats.bands > 0;
+            beyond += stats.layers_max > small.scene.limits.layers;
             assert_memory_equal(whole.pixels, part.pixels, sizeof whole.pixels);
         }
         closed_stage_close(&stage);
     }
-    assert_true(banded >= SCENES);
+    assert_true(beyond >= SCENES);
 }
 
 /* What cannot be --------------------------------------------------------------------------------- */

@@ -161,7 +161,7 @@ static void walls_along_the_axes_are_a_level_lighter_or_darker_than_the_sector(v
 
 /* What hangs in openings, and the sky ---------------------------------------------------------- */
 
-static void a_masked_texture_is_a_pane_one_texture_high(void **state)
+static void a_masked_texture_is_one_texture_high_and_has_holes(void **state)
 {
     (void)state;
     const unsigned line = level_step(24, 200);
@@ -170,6 +170,15 @@ static void a_masked_texture_is_a_pane_one_texture_high(void **state)
     struct model model = level_saved();
     const struct model_face *pane = level_need_wall(&model, -1, 0, 200 - 16 - 8, 200 - 16);
     assert_int_equal(pane->transparency, 128); /* every other column is clear */
+    const struct picture *picture = &model.pictures[pane->picture - 1];
+    assert_true(pane->picture && picture->is_masked);
+    assert_int_equal(pane->colour, 0xFFFFFF);
+    for (uint32_t i = 0; i < picture->w_px * picture->h_px; i++)
+        assert_int_equal((picture->pixels[i] & PICTURE_CLEAR) != 0, i % 2 == 1);
+    model_free(&model);
+    model = level_imported("a.wad:MAP01", false);
+    pane = level_need_wall(&model, -1, 0, 200 - 16 - 8, 200 - 16);
+    assert_int_equal(pane->transparency, 128); /* without textures it is a pane */
     assert_int_equal(pane->picture, 0);
     assert_int_equal(pane->colour, 0x18180C); /* colours 20 to 27 */
     model_free(&model);
@@ -219,7 +228,7 @@ int main(void)
         cmocka_unit_test_setup(pictures_have_the_patches_texels_in_the_palettes_colours, level_begin),
         cmocka_unit_test_setup(what_is_of_one_colour_and_all_without_textures_is_a_colour, level_begin),
         cmocka_unit_test_setup(walls_along_the_axes_are_a_level_lighter_or_darker_than_the_sector, level_begin),
-        cmocka_unit_test_setup(a_masked_texture_is_a_pane_one_texture_high, level_begin),
+        cmocka_unit_test_setup(a_masked_texture_is_one_texture_high_and_has_holes, level_begin),
         cmocka_unit_test_setup(the_sky_is_in_its_own_colour_above_walls_and_between_skies, level_begin),
         cmocka_unit_test_setup(where_a_texture_is_left_out_the_floor_behind_lends_its_colour, level_begin),
     };

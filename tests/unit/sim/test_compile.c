@@ -368,16 +368,6 @@ static void scenes_beyond_16_bits_are_wide(void **state)
     mesh_rig_free(&mesh);
 }
 
-static void textured_scenes_beyond_16_bits_are_refused_with_the_number(void **state)
-{
-    (void)state;
-    struct mesh mesh = tiles();
-    mesh.texture_count = 1; /* none is ever looked at */
-    assert_refused(&mesh, "first", "66150 words of polygons with textures, 65535 are the most (615 too many)");
-    mesh.texture_count = 0;
-    mesh_rig_free(&mesh);
-}
-
 /* The benchmark scenes ----------------------------------------------------------------------- */
 
 static struct mesh load_mesh(const char *path)
@@ -503,7 +493,6 @@ int main(void)
         cmocka_unit_test(whatever_is_compiled_passes_the_check_of_files),
         cmocka_unit_test(unusable_meshes_are_refused_with_a_reason),
         cmocka_unit_test(scenes_beyond_16_bits_are_wide),
-        cmocka_unit_test(textured_scenes_beyond_16_bits_are_refused_with_the_number),
         cmocka_unit_test(benchmark_scenes_get_no_new_cracks),
         cmocka_unit_test(rooms_need_few_splits_and_little_flash),
     };

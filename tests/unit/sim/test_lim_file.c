@@ -117,7 +117,7 @@ static void the_file_is_little_endian(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 10, 0, 0, 0, 144, 0, 0, 0};
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 11, 0, 0, 0, 144, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
     assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
@@ -138,7 +138,7 @@ static void swapping_reverses_fields_and_undoes_itself(void **state)
     lim_image_swap_sections(bytes, &header);
     lim_image_swap_header(bytes);
     assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
-    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 10, 0, 0, 0, 144}), 8);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 11, 0, 0, 0, 144}), 8);
     const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
     const struct lim_plane *first = &scene.scene.planes[0];
     assert_int_equal((int16_t)(plane[2] << 8 | plane[3]), lim_plane_x(first));
@@ -188,7 +188,7 @@ static void other_versions_are_refused_by_number(void **state)
     unsigned char *bytes = written_bytes();
     bytes[8] = LIM_FILE_VERSION + 1;
     write_bytes(bytes, scene.image_b);
-    assert_unreadable("version 11; this program reads version 10");
+    assert_unreadable("version 12; this program reads version 11");
     free(bytes);
 }
 
@@ -568,8 +568,49 @@ static void spare_fields_of_textures_are_zero(void **state)
     texture.place_bits = 1;
     assert_false(lim_check_textures(&textured, &err));
     texture.place_bits = 0;
-    mapping.zero = 1;
+    mapping.texture = 1;
     assert_false(lim_check_textures(&textured, &err));
+}
+
+/* An alpha and a texture go together where that has clear texels, and nowhere else. */
+static void masked_textures_and_alphas_go_together(void **state)
+{
+    (void)state;
+    const struct lim_vertex vertices[3] = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const lim_index none = LIM_NO_INDEX;
+    const struct lim_node node = {{LIM_PLANE_X, 0}, none, none, 0, none, none};
+    const lim_index masked[] = {3 | LIM_POLYGON_ALPHA | LIM_POLYGON_TEXTURE | LIM_POLYGON_LAST, 0, 0, 1, 2, 99, 0, 0};
+    const lim_index plain[] = {3 | LIM_POLYGON_TEXTURE | LIM_POLYGON_LAST, 0, 0, 1, 2, 0, 0};
+    struct lim_texture texture = {.levels = 1, .place_bits = LIM_TEXTURE_MASKED};
+    const struct lim_mapping mapping = {.scale = LIM_MAPPING_UPRIGHT};
+    struct lim_scene scene_of = {.vertices = vertices,
+                                 .nodes = &node,
+                                 .polygons = masked,
+                                 .vertex_count = 3,
+                                 .node_count = 1,
+                                 .polygon_words = 8,
+                                 .polygon_count = 1,
+                                 .limits = {.depth = 1, .vertices = 3, .layers = 1},
+                                 .textures = &texture,
+                                 .mappings = &mapping,
+                                 .texture_count = 1,
+                                 .mapping_count = 1,
+                                 .palette_colours = 256,
+                                 .texel_blocks = 1};
+    struct error err;
+    if (!lim_check(&scene_of, &err)) fail_msg("%s", err.text);
+    texture.place_bits = 0;
+    assert_scene_refused(&scene_of, "transparent and textured at once");
+    texture.place_bits = LIM_TEXTURE_SKY;
+    assert_scene_refused(&scene_of, "transparent and textured at once");
+    scene_of.polygons = plain;
+    scene_of.polygon_words = 7;
+    scene_of.limits.layers = 0;
+    if (!lim_check(&scene_of, &err)) fail_msg("%s", err.text);
+    texture.place_bits = LIM_TEXTURE_MASKED;
+    assert_scene_refused(&scene_of, "a masked texture, and no alpha");
+    texture.place_bits = LIM_TEXTURE_MASKED | LIM_TEXTURE_SKY;
+    assert_scene_refused(&scene_of, "places of 192 bits");
 }
 
 /* What the renderer relies on where a mesh has textures. */
@@ -741,6 +782,7 @@ int main(void)
         cmocka_unit_test(sets_hold_what_can_be_sorted),
         cmocka_unit_test(flags_of_edges_that_are_not_there_are_refused),
         cmocka_unit_test(spare_fields_of_textures_are_zero),
+        cmocka_unit_test(masked_textures_and_alphas_go_together),
         cmocka_unit_test(meshes_with_textures_are_checked),
         cmocka_unit_test(mappings_out_of_range_are_refused),
         cmocka_unit_test(damage_is_refused_or_harmless),
