@@ -72,6 +72,7 @@ static inline bool lim_texture_add_moved(struct lim_texturing *frame, struct lim
     if (from >= LIM_NONE || numbers > (lim_index)LIM_NONE - from) return false;
     *texturing->first_texture = (uint16_t)from;
     *texturing->moved = *frame->moved;
+    if (LIM_HAS_SKY) *texturing->sky = *frame->sky;
     *frame->moved = texturing;
     *frame->numbers = (uint16_t)(from + numbers);
     return true;

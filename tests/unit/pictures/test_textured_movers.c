@@ -18,8 +18,10 @@ enum { SIDE_PX = 16, PIXELS = MOVER_RIG_W_PX * MOVER_RIG_H_PX };
 static const struct lens LENS = {.tan_x = 0.8, .tan_y = 0.6, .near_m = 0.02};
 static const double BOX_M = 0.5;
 
-/* Red to the right, green down: each texel has a colour of its own. */
-static void add_picture(struct model *model)
+enum look { OPAQUE, MASKED, SKY, LOOKS };
+
+/* Red to the right, green down: each texel has a colour of its own. MASKED: every other square of 4 x 4 is clear. */
+static void add_picture(struct model *model, enum look look)
 {
     model->pictures = grow_zeroed(1, sizeof *model->pictures);
     model->picture_count = 1;
@@ -29,6 +31,10 @@ static void add_picture(struct model *model)
     picture->pixels = grow_zeroed(SIDE_PX * SIDE_PX, sizeof *picture->pixels);
     for (uint32_t i = 0; i < SIDE_PX * SIDE_PX; i++)
         picture->pixels[i] = (i % SIDE_PX * 17) << 16 | (i / SIDE_PX * 17) << 8;
+    for (uint32_t i = 0; look == MASKED && i < SIDE_PX * SIDE_PX; i++)
+        picture->pixels[i] |= (i / 4 + i / SIDE_PX / 4) % 2 ? PICTURE_CLEAR : 0;
+    picture->is_masked = look == MASKED;
+    if (look == SKY) picture->sky = (struct sky_look){.times = 2, .horizon = 0.5};
 }
 
 /* Affine in space, and over no face of a box in one direction alone; within one picture. */
@@ -39,9 +45,9 @@ static void place_of(const double at_m[3], double uv[2])
 }
 
 /* All that moves shows the picture. */
-static void add_texture(struct model *model)
+static void add_texture(struct model *model, enum look look)
 {
-    add_picture(model);
+    add_picture(model, look);
     model->uvs = grow_zeroed(model->point_count, sizeof *model->uvs);
     for (size_t i = 0; i < model->point_count; i++)
         place_of(model->points[i], model->uvs[i]);
@@ -49,6 +55,7 @@ static void add_texture(struct model *model)
         if (!model->faces[i].mover) continue;
         model->faces[i].picture = 1;
         model->faces[i].colour = 0xFFFFFF;
+        model->faces[i].transparency = picture_transparency(&model->pictures[0]);
         model->pictures[0].faces++;
     }
 }
@@ -79,14 +86,14 @@ static void look(const struct mover_rig *rig, const double eye_m[3], const doubl
 static const enum lim_method METHODS[] = {LIM_NEAREST_FIRST, LIM_SCANLINE, LIM_PAINTER};
 enum { METHOD_COUNT = sizeof METHODS / sizeof *METHODS };
 
-static void compile(struct mover_rig *rig, bool doorway, const struct model_pose *pose, enum lim_method method,
-                    const struct core *core)
+static void compile(struct mover_rig *rig, bool doorway, const struct model_pose *pose, enum look look,
+                    enum lim_method method, const struct core *core)
 {
     memset(rig, 0, sizeof *rig);
     rig->tree = TREE_BSP;
     mover_rig_add_rooms(rig, doorway);
     mover_rig_add_box(rig, BOX_M, BOX_M, BOX_M, pose);
-    add_texture(&rig->model);
+    add_texture(&rig->model, look);
     mover_rig_compile(rig, MOVING_CLIPPED, method, core);
     assert_non_null(rig->moving.objects[0].words);
 }
@@ -102,17 +109,19 @@ static void enter(const struct lim_instance *instance, const struct lim_camera *
     own->near_q8 = camera->near_q8 << instance->finer_bits;
 }
 
-static size_t assert_as_alone(enum lim_method method, const struct core *core)
+/* Through holes the room is seen. */
+static size_t assert_as_alone(enum look shown, enum lim_method method, const struct core *core)
 {
-    static uint16_t moved[PIXELS], alone[PIXELS];
+    static uint16_t moved[PIXELS], alone[PIXELS], room[PIXELS];
     const struct model_pose pose = {{0.25, 1.25, 2}, {0, 0, 0, 1}};
     const struct simulator_setup setup = {MOVER_RIG_W_PX, MOVER_RIG_H_PX, method, SIMULATOR_MEMORY, core};
     const struct simulator_setup plain = {MOVER_RIG_W_PX, MOVER_RIG_H_PX, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, core};
     struct mover_rig rig;
     struct lim_camera camera, own;
-    size_t seen = 0;
-    compile(&rig, true, &pose, method, core);
+    size_t seen = 0, holes = 0;
+    compile(&rig, true, &pose, shown, method, core);
     look(&rig, (double[]){-1.5, 2, 3.4}, (double[]){0.25, 1.2, 2}, &camera);
+    draw(&rig.scene.scene, NULL, &plain, &camera, room);
     draw(&rig.scene.scene, &rig.moving, &setup, &camera, moved);
     enter(&rig.moving.instances[0], &camera, &own);
     draw(&rig.moving.objects[0].scene.scene, NULL, &plain, &own, alone);
@@ -120,11 +129,13 @@ static size_t assert_as_alone(enum lim_method method, const struct core *core)
     for (size_t i = 0; i < PIXELS; i++) {
         if (!rig.ids.faces[i] || !rig.moving.model.faces[rig.ids.faces[i] - 1].mover) continue;
         seen++;
-        if (moved[i] != alone[i])
+        holes += moved[i] == room[i];
+        if (moved[i] != alone[i] && (shown != MASKED || moved[i] != room[i]))
             fail_msg("%s: pixel %zu, %zu is %04x, alone %04x", core->name, i % MOVER_RIG_W_PX, i / MOVER_RIG_W_PX,
                      moved[i], alone[i]);
     }
     mover_rig_free(&rig);
+    assert_true(shown == MASKED ? holes * 4 > seen && holes * 4 < 3 * seen : holes * 100 < seen);
     return seen;
 }
 
@@ -133,7 +144,8 @@ static void what_moves_by_whole_units_is_as_it_stands_alone(void **state)
     (void)state;
     for (size_t i = 0; cores[i]; i++)
         for (size_t k = 0; k < METHOD_COUNT; k++)
-            assert_true(assert_as_alone(METHODS[k], cores[i]) > 1000);
+            for (enum look look = OPAQUE; look < LOOKS; look++)
+                assert_true(assert_as_alone(look, METHODS[k], cores[i]) > 1000);
 }
 
 /* Turned ------------------------------------------------------------------------------------- */
@@ -198,7 +210,7 @@ static size_t assert_turned(enum lim_method method, const struct core *core)
     struct mover_rig rig;
     struct lim_camera camera;
     size_t seen = 0;
-    compile(&rig, true, &pose, method, core);
+    compile(&rig, true, &pose, OPAQUE, method, core);
     for (size_t i = 0; i < sizeof eyes_m / sizeof *eyes_m; i++) {
         look(&rig, eyes_m[i], pose.at_m, &camera);
         draw(&rig.scene.scene, &rig.moving, &setup, &camera, pixels);
@@ -228,7 +240,7 @@ static void textures_of_others_are_not_shown(void **state)
     const struct simulator_setup setup = {MOVER_RIG_W_PX, MOVER_RIG_H_PX, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, NULL};
     struct mover_rig rig;
     struct lim_camera camera;
-    compile(&rig, false, &pose, LIM_NEAREST_FIRST, NULL);
+    compile(&rig, false, &pose, OPAQUE, LIM_NEAREST_FIRST, NULL);
     look(&rig, (double[]){-1.5, 2, 3.4}, pose.at_m, &camera);
     struct lim_texture *const other = grow_zeroed(rig.scene.scene.texture_count, sizeof *other);
     rig.moving.objects[0].scene.scene.textures = other;
