@@ -6,6 +6,7 @@
 
 #include "ahead.h"
 #include "eye.h"
+#include "math/orientation.h"
 #include "movers/mover.h"
 #include "orders/convex.h"
 #include "orders/mesh_frame.h"
@@ -165,10 +166,25 @@ static int draw_frame(struct lim *lim)
     return lim_nearest_frame(lim->nearest, LIM_AHEAD_BEGUN);
 }
 
-static LIM_IF_CALLED void begin_sky(struct lim_pass *pass, const struct lim_camera *camera)
+/* View, textures and sky ask for the camera's axes: they are found once. */
+static LIM_IF_CALLED bool begin_textured(struct lim_pass *pass, const struct lim_camera *camera)
 {
-    *pass->texturing->sky = pass->sky;
-    lim_sky_begin(pass->sky, camera, pass->target.w_px, pass->target.h_px);
+    int32_t axes_q30[9];
+
+    lim_orientation_set(axes_q30, camera);
+    if (!lim_view_begin_turned(&pass->view, pass->scene, camera, axes_q30)) return false;
+    lim_texture_begin(pass->texturing, pass->scene, &pass->view, camera, axes_q30);
+    if (LIM_HAS_SKY) {
+        *pass->texturing->sky = pass->sky;
+        lim_sky_begin(pass->sky, camera, axes_q30, pass->target.w_px, pass->target.h_px);
+    }
+    return true;
+}
+
+static inline bool begin_view(struct lim_pass *pass, const struct lim_camera *camera)
+{
+    if (LIM_HAS_TEXTURE && lim_texture_count(pass->scene)) return begin_textured(pass, camera);
+    return lim_view_begin(&pass->view, pass->scene, camera);
 }
 
 static LIM_IN_EACH_CALLER int set_camera(struct lim *lim, const struct lim_camera *camera)
@@ -178,10 +194,7 @@ static LIM_IN_EACH_CALLER int set_camera(struct lim *lim, const struct lim_camer
     LIM_ASSERT(pass->scene && camera); /* it was prepared */
     if (LIM_HAS_STATS) *lim_stats_of(pass) = (struct lim_stats){0};
     if (LIM_HAS_SPANS) lim->nearest->bands = 0;
-    if (!lim_view_begin(&pass->view, pass->scene, camera)) return LIM_ERR_CAMERA;
-    if (LIM_HAS_TEXTURE && lim_texture_count(pass->scene))
-        lim_texture_begin(pass->texturing, pass->scene, &pass->view, camera);
-    if (LIM_HAS_SKY && lim_texture_count(pass->scene)) begin_sky(pass, camera);
+    if (!begin_view(pass, camera)) return LIM_ERR_CAMERA;
     if (LIM_HAS_PLANES) lim_eye_set(lim_eye_of(pass), pass->scene, camera->eye_q8);
     if (LIM_HAS_PORTALS) lim_walk_look_around(pass->walk, camera, pass->view.rows.far_units);
     if (LIM_HAS_MOVERS) lim_movers_pose(lim->movers, pass, camera);

@@ -433,12 +433,12 @@ enum { LIM_RETAINED_HEAD_CELLS = 2 };
 struct lim_retained {
     union lim_retained_cell *cells;
     uint16_t used;
-    uint16_t size;              /* in this band: cells from here on are for others */
-    uint16_t end;               /* likewise in this frame */
-    uint16_t whole;             /* all cells of the memory that gaps share */
-    uint16_t pending;           /* cells that are written before they are used, and that gaps may not take */
-    bool overhangs;             /* a polygon may reach beyond the screen's left or right side */
-    bool transparent, textured; /* one of the polygons is */
+    uint16_t size;                      /* in this band: cells from here on are for others */
+    uint16_t end;                       /* likewise in this frame */
+    uint16_t whole;                     /* all cells of the memory that gaps share */
+    uint16_t pending;                   /* cells that are written before they are used, and that gaps may not take */
+    bool overhangs;                     /* a polygon may reach beyond the screen's left or right side */
+    bool transparent, textured, masked; /* one of the polygons is; what is masked is not transparent */
 };
 
 struct lim_active {

@@ -265,10 +265,9 @@ static inline void begin_sink(struct sink *sink, const struct lim_paint *paint, 
     }
 }
 
-/* Panes, or masked textures, which do not count as transparent. */
 static inline bool may_have_layers(const struct lim_retained *retained)
 {
-    return retained->transparent || (LIM_HAS_MASKED && retained->textured);
+    return retained->transparent || (LIM_HAS_MASKED && retained->masked);
 }
 
 static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,

@@ -40,8 +40,11 @@ bool lim_retain(struct lim_spans *spans, const struct lim_retained_polygon *poly
     }
     if (LIM_HAS_WIREFRAME && words)
         copy_words(cells[LIM_RETAINED_HEAD_CELLS + polygon->n].hidden, polygon->hidden, words);
-    if (transparent && !(LIM_HAS_MASKED && polygon->bottom & LIM_RETAINED_TEXTURE)) retained->transparent = true;
     if (LIM_HAS_TEXTURE && polygon->bottom & LIM_RETAINED_TEXTURE) retained->textured = true;
+    if (transparent && LIM_HAS_MASKED && polygon->bottom & LIM_RETAINED_TEXTURE)
+        retained->masked = true;
+    else if (transparent)
+        retained->transparent = true;
     return true;
 }
 

@@ -15,6 +15,7 @@ static inline void lim_retained_clear(struct lim_retained *retained)
     retained->overhangs = false;
     if (LIM_HAS_TRANSPARENT) retained->transparent = false;
     if (LIM_HAS_TEXTURE) retained->textured = false;
+    if (LIM_HAS_MASKED) retained->masked = false;
 }
 
 struct lim_retained_polygon {

@@ -185,7 +185,7 @@ static LIM_IF_CALLED void turn_textures(const struct lim_movers *movers, uint16_
         return;
     if (lim_texture_add_moved(frame, self->texturing, lim_texture_numbers(frame->scene),
                               lim_texture_numbers(instance->object)))
-        lim_texture_begin_turned(self->texturing, instance->object, &self->view, own, own_axes_q30);
+        lim_texture_begin(self->texturing, instance->object, &self->view, own, own_axes_q30);
 }
 
 /* The camera, as the object sees it. */

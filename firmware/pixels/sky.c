@@ -5,7 +5,6 @@
 #include "pixels/sky.h"
 
 #include "math/fixed.h"
-#include "math/orientation.h"
 #include "pixels/fill.h"
 #include "pixels/texture_planes.h"
 
@@ -31,12 +30,10 @@ static uint8_t sky_node_bits(uint32_t half_px_q28, uint16_t side_px, uint32_t mo
     return bits;
 }
 
-void lim_sky_begin(struct lim_sky *sky, const struct lim_camera *camera, uint16_t w_px, uint16_t h_px)
+void lim_sky_begin(struct lim_sky *sky, const struct lim_camera *camera, const int32_t axes_q30[9], uint16_t w_px,
+                   uint16_t h_px)
 {
     const uint32_t half_w_q28 = camera->tan_x_q28 / w_px, half_h_q28 = camera->tan_y_q28 / h_px;
-    int32_t axes_q30[9];
-
-    lim_orientation_set(axes_q30, camera);
     sky->across_bits = sky_node_bits(half_w_q28, w_px, ACROSS_MOST_Q28, LIM_SKY_NODES);
     sky->down_bits = sky_node_bits(half_h_q28, h_px, DOWN_MOST_Q28, UINT16_MAX);
     sky->pixel_q16 = half_w_q28 >> 11;

@@ -13,8 +13,9 @@
 #include "scene.h"
 #include "stages.h"
 
-/* Once a frame, on a screen of this size. */
-void lim_sky_begin(struct lim_sky *sky, const struct lim_camera *camera, uint16_t w_px, uint16_t h_px);
+/* Once a frame, on a screen of this size, with the camera's axes, of lim_orientation_set(). */
+void lim_sky_begin(struct lim_sky *sky, const struct lim_camera *camera, const int32_t axes_q30[9], uint16_t w_px,
+                   uint16_t h_px);
 
 /* Once a polygon whose texture is a sky. */
 void lim_sky_set(const struct lim_texturing *texturing, const LIM_FLASH struct lim_mapping *mapping,

@@ -6,8 +6,6 @@
  * gradient adds up to over half a screen of 240 pixels is 2^-23 of the largest depth on the screen. */
 #include "pixels/texture.h"
 
-#include "math/orientation.h"
-
 #if LIM_HAS_TEXTURE
 
 enum { PLANE_BITS = 30 };
@@ -43,8 +41,8 @@ static inline int32_t moved(int32_t x, int_fast16_t bits)
 
 /* What a half-pixel adds to the way ahead. In profiles without limbs all three axes are of one length, such that no sum
  * over twice the screen leaves 31 bits. */
-static LIM_IN_EACH_CALLER void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera,
-                                                const int32_t *turned_q30)
+static void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera,
+                             const int32_t camera_q30[9])
 {
     const uint32_t tans_q28[2] = {camera->tan_x_q28, camera->tan_y_q28};
     const int16_t sides_px[2] = {texturing->w_px, texturing->h_px};
@@ -53,26 +51,22 @@ static LIM_IN_EACH_CALLER void texture_set_axes(struct lim_texturing *texturing,
     const int8_t shorter = LIM_HAS_LIMBS ? 0 : (int8_t)(6 - clz_u32(most_q25));
     int32_t axes_q30[9];
 
-    if (!turned_q30) lim_orientation_set(axes_q30, camera);
-    for (uint_fast8_t k = 0; turned_q30 && k < 9; k++)
-        axes_q30[k] = turned_q30[k];
     for (uint_fast8_t i = 0; i < 2; i++) {
         int8_t bits;
         const int32_t mantissa_q31 = texture_mantissa_of(tans_q28[i], sides_px[i], &bits);
         texturing->axis_bits[i] = LIM_HAS_LIMBS ? bits : (int8_t)(-shorter);
         for (uint_fast8_t k = (uint_fast8_t)(3 * i), end = (uint_fast8_t)(k + 3); k < end; k++)
-            axes_q30[k] = moved(mul_high_s32(axes_q30[k], mantissa_q31) * 2, LIM_HAS_LIMBS ? 0 : bits + shorter);
+            axes_q30[k] = moved(mul_high_s32(camera_q30[k], mantissa_q31) * 2, LIM_HAS_LIMBS ? 0 : bits + shorter);
     }
     texturing->axis_bits[2] = (int8_t)(-shorter);
     for (uint_fast8_t k = 6; k < 9; k++)
-        axes_q30[k] >>= shorter;
+        axes_q30[k] = camera_q30[k] >> shorter;
     for (uint_fast8_t i = 0; i < 3; i++)
         set_axis(&texturing->axes[i], &axes_q30[3 * i]);
 }
 
-static LIM_IN_EACH_CALLER void begin_by_axes(struct lim_texturing *texturing, const struct lim_scene *scene,
-                                             const struct lim_view *view, const struct lim_camera *camera,
-                                             const int32_t *turned_q30)
+void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
+                       const struct lim_camera *camera, const int32_t axes_q30[9])
 {
     texturing->scene = scene;
     texturing->w_px = (int16_t)view->width.px;
@@ -83,23 +77,11 @@ static LIM_IN_EACH_CALLER void begin_by_axes(struct lim_texturing *texturing, co
         texturing->eye_high[i] = (int16_t)((at_q8 + 0x8000) >> 16);
         texturing->eye_low_q8[i] = (int16_t)(at_q8 - texturing->eye_high[i] * INT32_C(65536));
     }
-    texture_set_axes(texturing, camera, turned_q30);
+    texture_set_axes(texturing, camera, axes_q30);
     /* log2 of a pixel's side at depth 1, the mean of both: 2 tan / side. */
     const int16_t sum_q4 = (int16_t)(log2_q4(camera->tan_x_q28) + log2_q4(camera->tan_y_q28) -
                                      log2_q4((uint32_t)texturing->w_px) - log2_q4((uint32_t)texturing->h_px));
     texturing->level_q4 = (int16_t)((sum_q4 >> 1) - 27 * 16);
-}
-
-void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
-                       const struct lim_camera *camera)
-{
-    begin_by_axes(texturing, scene, view, camera, NULL);
-}
-
-void lim_texture_begin_turned(struct lim_texturing *texturing, const struct lim_scene *object,
-                              const struct lim_view *view, const struct lim_camera *camera, const int32_t axes_q30[9])
-{
-    begin_by_axes(texturing, object, view, camera, axes_q30);
 }
 
 /* Once a polygon ----------------------------------------------------------------------------------- */

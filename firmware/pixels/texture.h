@@ -36,9 +36,10 @@ struct lim_texture_line {
     uint16_t divisions;        /* so far */
 };
 
-/* Once a frame, after lim_view_begin(). */
+/* Once a frame, after lim_view_begin(), with the camera's axes, of lim_orientation_set(); and once an object that moves
+ * and whose textures are those of the frame's scene, with view, camera and axes as it sees them. */
 void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
-                       const struct lim_camera *camera);
+                       const struct lim_camera *camera, const int32_t axes_q30[9]);
 
 /* lim_screen_polygon.texture of its polygons is less. */
 static inline lim_index lim_texture_numbers(const struct lim_scene *scene)
@@ -48,11 +49,6 @@ static inline lim_index lim_texture_numbers(const struct lim_scene *scene)
 #endif
     return scene->polygon_words;
 }
-
-/* The same of an object that moves, whose textures are those of the frame's scene, with view, camera and the camera's
- * axes as it sees them. */
-void lim_texture_begin_turned(struct lim_texturing *texturing, const struct lim_scene *object,
-                              const struct lim_view *view, const struct lim_camera *camera, const int32_t axes_q30[9]);
 
 /* What moves has moved: no object has begun. */
 static inline void lim_texture_forget_moved(struct lim_texturing *frame)

@@ -69,7 +69,7 @@ static void scale_row(int32_t row_q30[3], uint32_t scale_q30)
 static void set_entries(int32_t entries_q30[9], const struct lim_camera *camera, const int32_t *axes_q30,
                         uint32_t zoom_q28, uint8_t tele_bits)
 {
-    if (LIM_HAS_MOVERS && axes_q30) {
+    if ((LIM_HAS_MOVERS || LIM_HAS_TEXTURE) && axes_q30) {
         for (uint_fast8_t i = 0; i < 9; i++)
             entries_q30[i] = axes_q30[i];
     } else {
@@ -222,7 +222,7 @@ bool lim_rows_set(struct lim_rows *rows, const struct lim_scene *scene, const st
     return set_rows(rows, scene, camera, NULL);
 }
 
-#if LIM_HAS_MOVERS
+#if LIM_HAS_MOVERS || LIM_HAS_TEXTURE
 bool lim_rows_set_turned(struct lim_rows *rows, const struct lim_scene *scene, const struct lim_camera *camera,
                          const int32_t axes_q30[9])
 {

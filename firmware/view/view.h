@@ -76,6 +76,10 @@ void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct l
 /* Once per frame. false: the camera is out of range (limner.h). */
 bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera);
 
+/* The same where lim_orientation_set() has found the camera's axes. */
+bool lim_view_begin_turned(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera,
+                           const int32_t axes_q30[9]);
+
 /* What is remembered: its memory has served for something else. */
 void lim_view_forget(struct lim_view *view);
 

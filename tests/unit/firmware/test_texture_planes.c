@@ -111,10 +111,12 @@ static void stage_begin_frame(struct stage *stage)
 {
     static struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
     struct lim_view view = {0};
+    int32_t axes_q30[9];
 
     lim_view_init(&view, (uint16_t)stage->w_px, (uint16_t)stage->h_px, cache);
     assert_true(lim_view_begin(&view, &stage->scene, &stage->camera));
-    lim_texture_begin(&stage->texturing, &stage->scene, &view, &stage->camera);
+    lim_orientation_set(axes_q30, &stage->camera);
+    lim_texture_begin(&stage->texturing, &stage->scene, &view, &stage->camera, axes_q30);
     stage->texturing.far_bits = 17; /* the scene has no vertices */
 }
 
