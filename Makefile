@@ -71,6 +71,7 @@ packages-extremes      := $(packages-host)
 packages-prove         := frama-c-base why3 z3
 packages-slow          = $(foreach suite,arm cpus boards export cross sanitize prove,$(packages-$(suite)))
 packages-levels        := freedoom $(packages-arm)
+packages-level-walks   := $(packages-levels)
 packages-fuzz          := clang libclang-rt-dev
 packages-mutate        := $(packages-host)
 packages-fuzz-coverage := $(packages-fuzz)

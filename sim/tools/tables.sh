@@ -37,6 +37,7 @@ methods slow tables-methods methods /limner /generate_bench arm-none-eabi-gcc qe
 scale slow scale scale /limner /generate_scale arm-none-eabi-gcc qemu-system-arm gnuplot
 predictions slow predictions predictions /limner /generate_scale /scenes/demo.obj
 levels slow tables-levels levels /limner arm-none-eabi-gcc qemu-system-arm
+level-walks slow tables-level-walks level_walks /limner arm-none-eabi-gcc qemu-system-arm
 doom slow tables-doom doom /limner apt-get valgrind
 visibility slow tables-visibility visibility /limner
 delta-cost slow tables-delta-cost delta /limner arm-none-eabi-gcc qemu-system-arm
