@@ -85,8 +85,6 @@ void lim_texture_settle(const struct lim_texturing *texturing, const struct arou
 }
 
 /* Of a masked texture's texels of index 0 nothing is painted. One loop serves all widths, as few pixels are such. */
-static lim_texels_painter paint_masked_texels;
-
 static LIM_IF_CALLED void paint_masked_texels(uint16_t *end, uint_fast16_t n, uint32_t place,
                                               const struct lim_texture_level *level)
 {
