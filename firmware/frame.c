@@ -15,6 +15,7 @@
 #include "pixels/delta.h"
 #include "pixels/texture.h"
 #include "view/pass.h"
+#include "view/rows.h"
 #include "view/view.h"
 #include "view/walk.h"
 
@@ -172,7 +173,8 @@ static LIM_IF_CALLED bool begin_textured(struct lim_pass *pass, const struct lim
     int32_t axes_q30[9];
 
     lim_orientation_set(axes_q30, camera);
-    if (!lim_view_begin_turned(&pass->view, pass->scene, camera, axes_q30)) return false;
+    if (!lim_view_begin_rows(&pass->view, lim_rows_set_turned(&pass->view.rows, pass->scene, camera, axes_q30)))
+        return false;
     lim_texture_begin(pass->texturing, pass->scene, &pass->view, camera, axes_q30);
     if (LIM_HAS_SKY) {
         *pass->texturing->sky = pass->sky;

@@ -88,6 +88,13 @@ static void take_polygon(const struct lim *lim, const struct lim_screen_polygon 
     }
 }
 
+static inline bool shows_sky(const struct lim_scene *scene, const LIM_FLASH lim_index *record)
+{
+    const lim_index texture = record[lim_record_words(record[0]) - LIM_POLYGON_TEXTURE_WORDS];
+
+    return lim_texture_is_sky(&scene->textures[texture]);
+}
+
 void lim_inspect_texels(struct lim *lim, lim_index record, lim_inspect_texel *take, void *ctx)
 {
     struct lim_pass *const pass = &lim->pass;
@@ -96,7 +103,7 @@ void lim_inspect_texels(struct lim *lim, lim_index record, lim_inspect_texel *ta
 
     if (!lim_project(&polygon, &pass->view, pass->scene, &pass->scene->polygons[record], &screen, NULL)) return;
     if (lim_screen_texture(&polygon) == LIM_NONE) return;
-    if (lim_texture_is_sky(&pass->scene->textures[pass->scene->polygons[lim_screen_texture(&polygon)]])) return;
+    if (shows_sky(pass->scene, &pass->scene->polygons[record])) return;
     if (!polygon.shape.non_monotone) take_polygon(lim, &polygon, take, ctx);
     for (uint8_t k = 1; polygon.shape.non_monotone && k + 1 < polygon.n; k++) {
         lim_project_fan(&polygon, k, &triangle);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Lambert's cosine in 32 bits: the normal is made short enough first. */
-#include "scene.h"
+#include "orders.h"
 
 #include "math/fixed.h"
 #include "math/isqrt.h"

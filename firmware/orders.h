@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What the orders keep, and what they put to use above the lines: lists, what moves, changes of the picture. As
- * stages.h, so that callers can place a renderer. Public are struct lim_newell_options and the sizes of memory, at the
- * end. */
+ * stages.h, so that callers can place a renderer. Public are struct lim_light, struct lim_newell_options and the sizes
+ * of memory, at the end. */
 #ifndef LIM_ORDERS_H
 #define LIM_ORDERS_H
 
@@ -11,6 +11,22 @@
 #include "scene.h"
 #include "stages.h"
 #include "target.h"
+
+/* A directional light for movers: each polygon has one brightness, middle + swing * cosine of the angle between its
+ * normal and the light. What stands still has its light baked into its colours. */
+struct lim_light {
+    bool on;                     /* else movers show the colours that they were compiled with */
+    int16_t to_q14[3];           /* towards the light, in the static scene's axes, of length 1 */
+    uint8_t middle_q8, swing_q8; /* middle + swing is 256 at most, so that nothing gets brighter than its colour */
+};
+
+LIM_C_BEGIN
+
+/* The colour (RGB565 as a number) of a face with this normal, of any length but 0, in the axes that `to_q14` is in. */
+uint16_t lim_light_shade(const struct lim_light *light, const int16_t to_q14[3], const int32_t normal[3],
+                         uint16_t rgb565);
+
+LIM_C_END
 
 LIM_OPTIONAL_BEGIN
 

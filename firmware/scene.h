@@ -9,7 +9,6 @@
 #define LIM_SCENE_H
 
 #include "config.h"
-#include "frame_memory.h"
 
 /* The form of a scene's NAME.c and NAME.h, which say for which one they were written. It changes whenever files that
  * were written before would compile to something wrong. */
@@ -215,6 +214,21 @@ struct lim_place {
     uint16_t pvs; /* where it begins in lim_scene.visible sets, or LIM_NONE: nothing is known, everything is walked */
 };
 
+/* What memory a frame needs; the compiler measures all but the first two on sampled cameras. A frame that needs more
+ * falls back to bands; without room for pieces, polygons go by their farthest points (LIM_NEWELL). */
+struct lim_limits {
+    uint16_t depth;    /* nodes on the longest path from the root: least stack of the walk */
+    uint16_t vertices; /* most vertices of any polygon */
+    /* What the next three take together is one memory, which they share; LIM_CONVEX and meshes take the last alone. */
+    uint16_t retained_cells; /* points and heads of the polygons retained between SPAN and PAINT */
+    uint16_t gaps;           /* gaps beyond the first of each line, all lines together */
+    uint16_t active;         /* polygons that cross one line, beyond those that find room elsewhere */
+    uint16_t pieces;         /* LIM_NEWELL: how often polygons are split */
+    uint16_t layers;         /* pieces of transparent polygons on one line; 0: there are no such polygons */
+    uint16_t leaf_vertices;  /* most vertices of any mesh leaf; 0: there is none */
+    uint16_t leaf_polygons;  /* of a mesh leaf that are sorted at once, measured likewise: 1 or more if there is one */
+};
+
 LIM_OPTIONAL_BEGIN
 
 struct lim_scene {
@@ -262,11 +276,21 @@ static inline lim_index lim_triangle_texture_mask(uint16_t texture_count)
     return (lim_index)(texture_count > LIM_TRIANGLE_TEXTURES ? UINT16_MAX : LIM_TRIANGLE_TEXTURES - 1);
 }
 
-/* Textures of a scene; and whether an object's are those of the scene that it moves in. */
+/* Where 16 bits do not tell at which word a record names its texture, its mapping does: no two textures share one. */
+static inline bool lim_mappings_name_textures(const struct lim_scene *scene)
+{
+    return LIM_HAS_WIDE && (uint32_t)scene->polygon_words >> 16 != 0;
+}
+
+/* Textures of a scene; what its lim_screen_polygon.texture is less than; whether an object's are those of its scene. */
 #if LIM_HAS_TEXTURE
 static inline uint16_t lim_texture_count(const struct lim_scene *scene)
 {
     return scene->texture_count;
+}
+static inline lim_index lim_texture_numbers(const struct lim_scene *scene)
+{
+    return lim_mappings_name_textures(scene) ? scene->mapping_count : scene->polygon_words;
 }
 static inline bool lim_scene_shares_textures(const struct lim_scene *scene, const struct lim_scene *object)
 {
@@ -278,26 +302,16 @@ static inline uint16_t lim_texture_count(const struct lim_scene *scene)
     (void)scene;
     return 0;
 }
+static inline lim_index lim_texture_numbers(const struct lim_scene *scene)
+{
+    return scene->polygon_words;
+}
 static inline bool lim_scene_shares_textures(const struct lim_scene *scene, const struct lim_scene *object)
 {
     (void)scene, (void)object;
     return false;
 }
 #endif
-
-/* Where 16 bits do not tell at which word a record names its texture, its mapping does: no two textures share one. */
-static inline bool lim_mappings_name_textures(const struct lim_scene *scene)
-{
-    return LIM_HAS_WIDE && (uint32_t)scene->polygon_words >> 16 != 0;
-}
-
-/* x, y, z in turns. */
-/*@ assigns \nothing;
-    ensures \result == (axis < 2 ? axis + 1 : 0); */
-static inline uint_fast8_t lim_axis_after(uint_fast8_t axis)
-{
-    return (uint_fast8_t)(axis < 2 ? axis + 1 : 0);
-}
 
 /* Whatever a plane's record packs. */
 /*@ requires \valid_read(plane);
@@ -480,18 +494,6 @@ void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_m
     assigns instance->at_q8[0 .. 2], instance->axes_q30[0 .. 8];
     ensures \forall integer i; 0 <= i < 9 ==> -1073741824 <= instance->axes_q30[i] <= 1073741824; */
 void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim_instance *instance);
-
-/* A directional light for movers: each polygon has one brightness, middle + swing * cosine of the angle between its
- * normal and the light. What stands still has its light baked into its colours. */
-struct lim_light {
-    bool on;                     /* else movers show the colours that they were compiled with */
-    int16_t to_q14[3];           /* towards the light, in the static scene's axes, of length 1 */
-    uint8_t middle_q8, swing_q8; /* middle + swing is 256 at most, so that nothing gets brighter than its colour */
-};
-
-/* The colour (RGB565 as a number) of a face with this normal, of any length but 0, in the axes that `to_q14` is in. */
-uint16_t lim_light_shade(const struct lim_light *light, const int16_t to_q14[3], const int32_t normal[3],
-                         uint16_t rgb565);
 
 LIM_C_END
 

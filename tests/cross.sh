@@ -93,6 +93,7 @@ sizes_hold() { # TARGET
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=480 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_WIDE=0 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_TEXTURE=0 &&
+        compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_SKY=0 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_MESH_DEPTH=0 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_MESH_DEPTH=0 -DLIM_HAS_WIDE=0 &&
         compile "$1" "$work/sizes.o" tests/targets/sizes.c -DLIM_HAS_STATS=0 -DLIM_MAX_SIDE_PX=240 -DLIM_HAS_ANTIALIAS=0 &&

@@ -407,4 +407,12 @@ static inline int32_t lerp_q31(int32_t a, int32_t b, uint32_t t_q31)
     return (int32_t)(a + shift_round_s64(way_q31, 31));
 }
 
+/* x, y, z in turns. */
+/*@ assigns \nothing;
+    ensures \result == (axis < 2 ? axis + 1 : 0); */
+static inline uint_fast8_t lim_axis_after(uint_fast8_t axis)
+{
+    return (uint_fast8_t)(axis < 2 ? axis + 1 : 0);
+}
+
 #endif

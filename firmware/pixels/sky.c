@@ -15,7 +15,7 @@ enum { AHEAD_BITS = 24 };
 
 /* A straight line over an angle a is off by 3/4 a^2 / 8 of the cylinder's radius, as far as the eye sees 45 degrees to
  * either side: nodes are 0.16 apart at most along a line, and half of that from line to line. Of a picture that goes 4
- * times round in 1024 texels that is 0.4 and 0.1 of one. */
+ * times round in 1024 texels that is 0.4 and 0.1 of one. Beyond 100 degrees there may be too few nodes for that. */
 static const uint32_t ACROSS_MOST_Q28 = 42949673, DOWN_MOST_Q28 = 21474836;
 
 /* Once a frame ------------------------------------------------------------------------------------- */
@@ -25,7 +25,7 @@ static uint8_t sky_node_bits(uint32_t half_px_q28, uint16_t side_px, uint32_t mo
 {
     uint8_t bits = 0;
 
-    while (bits < 9 && ((side_px >> bits) + 2 > most_nodes || half_px_q28 << (bits + 2) <= most_q28))
+    while (bits < 9 && ((side_px >> bits) + 2 > most_nodes || half_px_q28 <= most_q28 >> (bits + 2)))
         bits++;
     return bits;
 }
@@ -192,6 +192,44 @@ static inline struct lim_sky_node sky_between_rows(const struct lim_sky_node *up
                                  upper->rise_q16 + ((lower->rise_q16 - upper->rise_q16) * part >> bits)};
 }
 
+/* Texels advance by whole 2^-16 of the picture's width for so many pixels, and are found anew then: they are off by 16
+ * of these at most, a quarter of a texel. */
+enum { SKY_STRETCH_PX = 32 };
+
+/* From node to node: what is seen at the left one, and how it changes. */
+struct sky_gap {
+    uint32_t u_q32, u_step_q32; /* of the picture's width */
+    int32_t v_q16, v_way_q16;   /* likewise; to the next node */
+    uint_fast8_t bits;          /* 2^bits pixels */
+};
+
+static inline struct sky_gap sky_gap_of(const struct lim_texture_sky *look, const struct lim_sky_node *left,
+                                        const struct lim_sky_node *right, uint_fast8_t bits)
+{
+    return (struct sky_gap){.u_q32 = left->turn * (uint32_t)look->times,
+                            .u_step_q32 =
+                                (uint32_t)((int32_t)(right->turn - left->turn) >> bits) * (uint32_t)look->times,
+                            .v_q16 = look->horizon_q16 - left->rise_q16 * look->times,
+                            .v_way_q16 = (left->rise_q16 - right->rise_q16) * look->times,
+                            .bits = bits};
+}
+
+/* Pixels x0 <= x < x1 of a gap that begins at `from`. */
+static inline void sky_paint_gap(struct sky_line *line, const struct sky_gap *gap, int32_t from, int32_t x0, int32_t x1)
+{
+    const int32_t v_step_q16 = (gap->v_way_q16 + (1 << gap->bits >> 1)) >> gap->bits;
+
+    line->v_step_q16 = v_step_q16;
+    line->step = lim_texture_packed((gap->u_step_q32 + 0x8000u) >> 16, (uint32_t)v_step_q16);
+    for (int32_t at = from + ((x0 - from) & -SKY_STRETCH_PX); at < x1; at += SKY_STRETCH_PX) {
+        const uint32_t u_q32 = gap->u_q32 + gap->u_step_q32 * (uint32_t)(at - from);
+        const int32_t end = at + SKY_STRETCH_PX;
+        line->v_q16 = gap->v_q16 + (gap->v_way_q16 * (at - from) >> gap->bits);
+        line->place = (u_q32 & 0xFFFF0000u) + (uint16_t)line->v_q16;
+        sky_paint_between(line, at, at < x0 ? x0 : at, end < x1 ? end : x1);
+    }
+}
+
 void lim_sky_fill(const struct lim_textured_span *span, uint16_t *pixels, int32_t x0, int32_t x1)
 {
     struct lim_sky *const sky = *span->texturing->sky;
@@ -210,13 +248,9 @@ void lim_sky_fill(const struct lim_textured_span *span, uint16_t *pixels, int32_
 
     for (int32_t from = (int32_t)first << bits; from < x1; from += INT32_C(1) << bits) {
         const struct lim_sky_node right = sky_between_rows(++upper, ++lower, part, down_bits);
-        const int32_t u_step = (int32_t)((right.turn - left.turn) * (uint32_t)look.times) >> (16 + bits);
+        const struct sky_gap gap = sky_gap_of(&look, &left, &right, bits);
         const int32_t until = from + (INT32_C(1) << bits);
-        line.v_q16 = look.horizon_q16 - left.rise_q16 * look.times;
-        line.v_step_q16 = (left.rise_q16 - right.rise_q16) * look.times >> bits;
-        line.step = lim_texture_packed((uint32_t)u_step, (uint32_t)line.v_step_q16);
-        line.place = ((left.turn * (uint32_t)look.times) & 0xFFFF0000u) + (uint16_t)line.v_q16;
-        sky_paint_between(&line, from, from < x0 ? x0 : from, until < x1 ? until : x1);
+        sky_paint_gap(&line, &gap, from, from < x0 ? x0 : from, until < x1 ? until : x1);
         left = right;
     }
 }

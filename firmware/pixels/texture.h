@@ -41,15 +41,6 @@ struct lim_texture_line {
 void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
                        const struct lim_camera *camera, const int32_t axes_q30[9]);
 
-/* lim_screen_polygon.texture of its polygons is less. */
-static inline lim_index lim_texture_numbers(const struct lim_scene *scene)
-{
-#if LIM_HAS_TEXTURE
-    if (lim_mappings_name_textures(scene)) return scene->mapping_count;
-#endif
-    return scene->polygon_words;
-}
-
 /* What moves has moved: no object has begun. */
 static inline void lim_texture_forget_moved(struct lim_texturing *frame)
 {

@@ -23,26 +23,10 @@ void lim_view_forget(struct lim_view *view)
         view->cache[i].vertex = LIM_NO_INDEX;
 }
 
-static inline bool view_begun(struct lim_view *view, bool has_rows)
-{
-    if (!has_rows) return false;
-    if (LIM_HAS_PLANES && (!LIM_HAS_MESHES || view->cache)) lim_view_forget(view); /* a mesh remembers all vertices */
-    if (LIM_HAS_STATS) view->vertices = 0;
-    return true;
-}
-
 bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera)
 {
-    return view_begun(view, lim_rows_set(&view->rows, scene, camera));
+    return lim_view_begin_rows(view, lim_rows_set(&view->rows, scene, camera));
 }
-
-#if LIM_HAS_TEXTURE
-bool lim_view_begin_turned(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera,
-                           const int32_t axes_q30[9])
-{
-    return view_begun(view, lim_rows_set_turned(&view->rows, scene, camera, axes_q30));
-}
-#endif
 
 /* Inlined into the function that remembers vertices; where flash is short there is one of each. */
 #if LIM_8_BIT || !LIM_HOT

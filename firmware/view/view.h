@@ -73,15 +73,20 @@ static inline void lim_view_set_antialiased(struct lim_view *view, bool antialia
 /* Once per target: screen geometry. `cache` has LIM_VIEW_CACHE_ENTRIES entries. */
 void lim_view_init(struct lim_view *view, uint16_t w_px, uint16_t h_px, struct lim_view_cached *cache);
 
-/* Once per frame. false: the camera is out of range (limner.h). */
-bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera);
-
-/* The same where lim_orientation_set() has found the camera's axes. */
-bool lim_view_begin_turned(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera,
-                           const int32_t axes_q30[9]);
-
 /* What is remembered: its memory has served for something else. */
 void lim_view_forget(struct lim_view *view);
+
+/* Once per frame, when its rows are set; false: they are not. */
+static inline bool lim_view_begin_rows(struct lim_view *view, bool has_rows)
+{
+    if (!has_rows) return false;
+    if (LIM_HAS_PLANES && (!LIM_HAS_MESHES || view->cache)) lim_view_forget(view); /* a mesh remembers all vertices */
+    if (LIM_HAS_STATS) view->vertices = 0;
+    return true;
+}
+
+/* The same, and its rows. false: the camera is out of range (limner.h). */
+bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const struct lim_camera *camera);
 
 /* `vertex` is one of the scene's. */
 void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,

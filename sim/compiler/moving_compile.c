@@ -8,7 +8,6 @@
 #include "base/grow.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
-#include "compiler/moving_textures.h"
 #include "compiler/order_choice.h"
 #include "compiler/pool_sizes.h"
 #include "compiler/texture_budget.h"
@@ -16,8 +15,10 @@
 #include "model/model_part.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
+#include "scene.h"
 #include "scene/method.h"
 #include "scene/moving.h"
+#include "scene/moving_textures.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -155,6 +156,7 @@ static struct note *add_note(struct compile_report *report)
 {
     size_t capacity = report->note_count;
     report->notes = grow(report->notes, report->note_count, &capacity, sizeof *report->notes);
+    report->notes[report->note_count] = (struct note){.is_detail = false};
     return &report->notes[report->note_count++];
 }
 
@@ -176,6 +178,17 @@ static void note_untextured(const struct model *model, size_t index, struct comp
     if (textured)
         snprintf(add_note(report)->text, sizeof report->notes->text,
                  "object '%s': textures are not drawn on what moves", model->movers[index].name);
+}
+
+/* A frame has numbers for so many textured polygons, and what moves gets them as it comes. */
+static void note_numbers(const struct moving *moving, struct compiled *scene)
+{
+    size_t numbers = lim_texture_numbers(&scene->scene);
+    for (size_t i = 0; i < moving->count; i++)
+        if (moving->objects[i].words) numbers += lim_texture_numbers(&moving->objects[i].scene.scene);
+    if (numbers > LIM_NONE)
+        snprintf(add_note(&scene->report)->text, sizeof scene->report.notes->text,
+                 "too many textured polygons: where all that moves is in view, some of it shows colours");
 }
 
 static void limits_set(struct moving *moving)
@@ -251,6 +264,7 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     const bool is_textured = moving_share_textures(moving, scene) && !moving->light.on;
     for (size_t i = 0; !is_textured && i < moving->count; i++)
         note_untextured(&moving->model, i, &scene->report);
+    if (is_textured) note_numbers(moving, scene);
     limits_set(moving);
     return !method_can_move(own.method->draws) || /* refused where they are to be drawn */
            (pools_measure_moving(scene, moving, options->core, err) &&

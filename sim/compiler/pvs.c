@@ -141,6 +141,7 @@ static bool zone_see(struct work *work, size_t zone, double part, bool *visible,
     const bool known = flow_see(flow, zone, visible);
     work->work_left -= flow->work < work->work_left ? flow->work : work->work_left;
     if (!known) {
+        if (!deadline_check(err, "portals were still followed")) return false;
         work->given_up++;
         work->part_given_up += part;
         return work->part_given_up <= work->effort->given_up ||

@@ -324,7 +324,8 @@ static void begin(struct planning *work)
         forget_losses(work, i);
         if (!is_used(work, i)) continue;
         for (unsigned cut = 0; cut < work->mesh->textures[i].levels; cut++)
-            work->colours[i][cut] = texture_cut_colours(&work->mesh->textures[i], cut);
+            work->colours[i][cut] = cut ? texture_cut_colours(&work->mesh->textures[i], cut)
+                                        : work->mesh->textures[i].colours; /* all are kept */
         work->total_b += bytes_of(work, i);
     }
     work->total_b += TEXTURE_COLOURS * sizeof(uint16_t); /* what the last palette is filled up with, at most */

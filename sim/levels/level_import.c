@@ -21,6 +21,7 @@ struct importing {
     struct level_faces faces;
     struct level_corner *corners; /* room for a polygon */
     size_t corner_capacity, sky;
+    bool has_too_many; /* doors and lifts */
 };
 
 /* Doom has one for each episode, Doom II one for each third. */
@@ -54,6 +55,7 @@ static void add_moving(struct importing *importing, const int32_t (*points)[2], 
 {
     struct level_move *move = &importing->moves[number];
     struct model *model = importing->faces.model;
+    if (!move->mover && model->mover_count == LIM_INSTANCES_MAX) importing->has_too_many = true;
     if (!move->mover && model->mover_count < LIM_INSTANCES_MAX) {
         double origin_m[3];
         level_place(points[0][0], points[0][1], move->rest, origin_m);
@@ -130,6 +132,7 @@ static bool add_faces(const struct level *level, struct level_move *moves, bool 
     model->is_interior = true;
     model->lattice_m = 1.0 / LEVEL_UNITS_A_M;
     note_sectors(&sectors, model);
+    if (importing.has_too_many) note(model, "doors and lifts beyond %d; they stay open, or down", LIM_INSTANCES_MAX);
     note_textures(textures, model);
     level_sectors_free(&sectors);
     free(importing.corners);

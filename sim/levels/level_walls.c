@@ -53,7 +53,8 @@ static void add_rectangle(const struct wall *wall, int low, int high, double han
     const struct level_vertex from = wall->from, to = wall->to;
     const double length = hypot(to.x - from.x, to.y - from.y);
     const double u = wall->along + wall->side->x_offset, along = u + length;
-    const double x = -(to.y - from.y) * wall->behind / length, y = (to.x - from.x) * wall->behind / length;
+    const double behind = length > 0 ? wall->behind / length : 0;
+    const double x = -(to.y - from.y) * behind, y = (to.x - from.x) * behind;
     const double at_low = hangs - low + wall->side->y_offset, at_high = hangs - high + wall->side->y_offset;
     const struct level_corner corners[4] = {{from.x + x, from.y + y, low, u, at_low},
                                             {to.x + x, to.y + y, low, along, at_low},
@@ -105,10 +106,10 @@ static void add_whole(const struct wall *wall)
     add_part(wall, floor, ceiling, hangs, wall->side->middle, wall->here->floor_flat);
 }
 
-/* Textures of doors and lifts hang from where these are at rest, so what stands still beside them goes on. */
+/* Textures of doors and lifts that move hang from where these are at rest, so what stands still beside them goes on. */
 static int rest_of(const struct wall *wall, enum model_kind kind, int height)
 {
-    return wall->move && wall->move->kind == kind ? wall->move->rest : height;
+    return wall->move && wall->move->mover && wall->move->kind == kind ? wall->move->rest : height;
 }
 
 /* From one height to another of the part of a wall that hangs from the floor beyond. */
@@ -147,7 +148,8 @@ static void add_upper(const struct wall *wall, int above, bool is_sky)
     add_above(wall, low, ceiling);
 }
 
-/* The side of a door that is shut, of a lift that is up. A door's stands behind the line, so that it is not in one
+/* The side of a door that is shut, of a lift that is up: also what the room here hides of it then, and shows when it
+ * moves. A door's stands behind the line, so that it is not in one
  * plane with what is above it when it is open. */
 static void add_moving(const struct wall *wall, bool is_sky)
 {
@@ -157,9 +159,9 @@ static void add_moving(const struct wall *wall, bool is_sky)
     wall->faces->mover = move->mover;
     side.behind = move->kind == MODEL_DOOR ? LEVEL_MOVE_SLACK : 0;
     if (move->kind == MODEL_DOOR)
-        add_above(&side, higher_of(move->rest, wall->here->floor), lower_of(move->moved, wall->here->ceiling));
+        add_above(&side, move->rest, lower_of(move->moved, wall->here->ceiling));
     else
-        add_below(&side, higher_of(move->moved, wall->here->floor), lower_of(move->rest, wall->here->ceiling), is_sky);
+        add_below(&side, higher_of(move->moved, wall->here->floor), move->rest, is_sky);
     wall->faces->mover = 0;
 }
 

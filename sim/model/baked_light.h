@@ -5,7 +5,7 @@
 #define BAKED_LIGHT_H
 
 #include "model/model.h"
-#include "scene.h"
+#include "orders.h"
 
 /* Dims each face's colour by its angle to a light above the viewer's left shoulder: full where the
  * face looks at it, a quarter where it looks away. Faces whose material is unlit keep theirs. */

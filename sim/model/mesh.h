@@ -92,10 +92,11 @@ bool mesh_clean_on(const struct model *model, const struct grid *grid, struct me
  * there as the file has it. `grid`: the scene's; NULL: the one that mesh_clean() chooses. Not for compiling. */
 bool mesh_clean_fine(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err);
 
-/* Makes the model's pictures textures: those that a face shows. Together they get no larger than a scene can hold: if
- * need be, the largest are made smaller. What became of each goes to mesh->notes. */
 /* As long as a side of any of the model's textures may get, so that all of them fit a scene: 2^bits. */
 uint8_t mesh_texture_bits(const struct model *model);
+
+/* Makes the model's pictures textures: those that a face shows. Together they get no larger than a scene can hold: if
+ * need be, the largest are made smaller. What became of each goes to mesh->notes. */
 bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct error *err);
 
 /* Makes them anew, as large as their pictures: together perhaps larger than a scene can hold. */

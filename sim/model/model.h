@@ -35,7 +35,7 @@ struct model_key {
 };
 
 /* What a mover is for: it moves by its animation; or when somebody comes: a door whose way up is its animation, a lift
- * whose way down is. Numbers as of enum lim_moved_kind. */
+ * whose way down is. */
 enum model_kind { MODEL_MOVES, MODEL_DOOR, MODEL_LIFT };
 
 /* A node that an animation moves, with all below it. */

@@ -69,7 +69,7 @@ static void drop_picture(const struct model *model, struct model_face *face)
     face->picture = 0;
 }
 
-/* Those of which only movers have faces make no textures. */
+/* Those of which only other parts have faces make no textures. */
 static void count_picture(struct model *part, const struct model_face *face)
 {
     struct picture *picture = face->picture ? &part->pictures[face->picture - 1] : NULL;
@@ -101,6 +101,8 @@ void model_part(const struct model *model, size_t mover, bool is_textured, struc
     if (is_textured) copy_pictures(model, part);
     part->face_count = part->corner_count = 0;
     part->alpha_clamped = mover ? 0 : model->alpha_clamped;
+    part->lattice_m = mover ? 0 : model->lattice_m;
+    part->is_interior = !mover && model->is_interior;
     *numbers = grow_zeroed(model->face_count, sizeof **numbers);
     for (size_t i = 0; i < model->face_count; i++) {
         const struct model_face *face = &model->faces[i];

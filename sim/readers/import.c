@@ -38,6 +38,7 @@ struct import {
     struct node_transform transform; /* of the node being read */
     struct model_paint paint;        /* of the mesh being read */
     uint32_t picture, mask;          /* the same; 0: none */
+    uint8_t holes;                   /* picture_transparency() of its picture, if that is masked; else 0 */
     struct masked_pictures masked;
     bool has_sky; /* one of the materials is it */
     unsigned uv_set;
@@ -178,8 +179,7 @@ static bool set_transparency(struct import *import, double opacity)
     model->alpha_clamped += clamped != opacity;
     struct model_face *face = &model->faces[model->face_count - 1];
     face->transparency = (uint8_t)(255 * (1 - clamped) + 0.5);
-    if (!face->transparency && import->picture && model->pictures[import->picture - 1].is_masked)
-        face->transparency = picture_transparency(&model->pictures[import->picture - 1]);
+    if (!face->transparency) face->transparency = import->holes;
     return true;
 }
 
@@ -238,7 +238,7 @@ static void take_sky(struct import *import)
 static void find_pictures(struct import *import, const struct aiMesh *mesh)
 {
     struct aiString name;
-    import->picture = import->mask = 0;
+    import->picture = import->mask = import->holes = 0;
     if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
     const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
     if (picture_name_of(material, &name, &import->uv_set)) import->picture = picture_number(import, name.data);
@@ -251,6 +251,8 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
         import->model->pictures[import->picture - 1].has_alpha)
         import->mask = import->picture;
     take_mask(import);
+    if (import->picture && import->model->pictures[import->picture - 1].is_masked)
+        import->holes = picture_transparency(&import->model->pictures[import->picture - 1]);
 }
 
 /* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */

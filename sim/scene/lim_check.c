@@ -197,6 +197,9 @@ static bool check_texture_words(const struct checker *work, size_t at)
     if (lim_mappings_name_textures(scene) && named != words[0])
         return error_set(work->err, "polygon at word %zu: texture %u, where its mapping names %u", at,
                          (unsigned)words[0], (unsigned)named);
+    const int times = scene->mappings[words[1]].uv[0][0];
+    if (lim_texture_is_sky(&scene->textures[words[0]]) && (times < 1 || times > 16))
+        return error_set(work->err, "polygon at word %zu: a sky that goes %d times round", at, times);
     const bool is_masked = lim_texture_is_masked(&scene->textures[words[0]]);
     return is_masked == ((record[0] & LIM_POLYGON_ALPHA) != 0) ||
            error_set(work->err, "polygon at word %zu: %s", at,

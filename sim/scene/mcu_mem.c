@@ -159,7 +159,8 @@ static size_t mover_b(const struct compiled *scene, const struct moving *moving)
     return MCU_MOVER_B + index_b(scene) + (fine ? (size_t)MCU_MOVER_FINE_B : 0) +
            (scene->report.antialias ? (size_t)MCU_MOVER_ANTIALIAS_B : 0) +
            (moving->light.on ? (size_t)MCU_MOVER_LIGHT_B : 0) +
-           (scene->scene.texture_count ? (size_t)MCU_MOVER_TEXTURE_B : 0);
+           (scene->scene.texture_count ? (size_t)MCU_MOVER_TEXTURE_B : 0) +
+           (needs_of(scene, moving).sky ? (size_t)MCU_MOVER_SKY_B : 0);
 }
 
 size_t mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving)

@@ -2,9 +2,9 @@
  *
  * The lamp that turns with what moves: each colour at each brightness is rounded to nearest, and the brightness is the
  * angle's, in double precision, for normals of any length. */
+#include "orders.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
-#include "scene.h"
 
 #include <math.h>
 

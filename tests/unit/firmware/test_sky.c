@@ -213,6 +213,23 @@ static void pixels_show_what_is_in_their_direction(void **state)
             }
 }
 
+/* A line may be shorter than the way from node to node, and a texel wider than the screen. */
+static void lenses_may_be_narrow(void **state)
+{
+    (void)state;
+    for (int by_rows = 0; by_rows < 2; by_rows++) {
+        struct rig rig = rig_make(&core_fast, 128, 128, (struct sky_look){1, 0.5}, by_rows);
+        const struct checking checking = check_frames(&rig, 0.02, 0.06);
+        print_message("# narrow lenses, %s: mean %.4f texels off, worst %.3f of %zu pixels\n",
+                      by_rows ? "rows" : "columns", checking.sum / (double)checking.pixels, checking.worst,
+                      checking.pixels);
+        assert_true(checking.pixels > CAMERAS * W_PX * H_PX / 20);
+        assert_true(checking.sum < 0.01 * (double)checking.pixels);
+        assert_true(checking.worst < (by_rows ? 0.15 : 0.1));
+        rig_free(&rig);
+    }
+}
+
 /* Orders ------------------------------------------------------------------------------------------ */
 
 static void all_orders_paint_the_same(void **state)
@@ -302,6 +319,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pixels_show_what_is_in_their_direction),
+        cmocka_unit_test(lenses_may_be_narrow),
         cmocka_unit_test(all_orders_paint_the_same),
         cmocka_unit_test(a_sky_is_one_mapping_and_its_ends_are_its_first_and_last_rows),
     };

@@ -3,12 +3,14 @@
  * Doors and lifts of small maps: which faces move, how far and how fast. The numbers are worked out by hand. */
 #include "levels/level_import.h"
 #include "levels/level_moves.h"
+#include "model/model_part.h"
 #include "model/pose.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random.h"
 #include "unit/levels/level_rig.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { DEEP = 128, DOOR_W = 16, RAYS = 400 };
@@ -192,6 +194,17 @@ static void tagged_doors_are_found_by_their_tag(void **state)
     model_free(&model);
 }
 
+/* What the room's floor hides of a shut door is seen below it when it goes up. */
+static void a_door_has_all_of_its_sides(void **state)
+{
+    (void)state;
+    door(1);
+    level_map.sectors[0].floor = 24;
+    struct model model = level_saved();
+    assert_int_equal(level_need_wall(&model, -1, 0, 0, 124)->mover, 1);
+    model_free(&model);
+}
+
 /* Lifts -------------------------------------------------------------------------------------- */
 
 /* Up at 64, between floors at 0 and 64. */
@@ -230,6 +243,32 @@ static void a_lift_goes_down_four_units_a_tic_waits_and_comes_up(void **state)
     model_free(&model);
 }
 
+/* Likewise what a ceiling hides of a lift. */
+static void a_lift_has_all_of_its_sides(void **state)
+{
+    (void)state;
+    lift();
+    level_map.sectors[0].ceiling = 48;
+    struct model model = level_saved();
+    assert_int_equal(level_need_wall(&model, -1, 0, 0, 64)->mover, 1);
+    model_free(&model);
+}
+
+/* Coordinates are the map's, as where nothing moves: none of what stands still is rounded. */
+static void what_stands_still_is_on_the_maps_lattice(void **state)
+{
+    (void)state;
+    uint32_t *numbers;
+    struct model part;
+    door(1);
+    struct model model = level_saved();
+    model_part(&model, 0, true, &part, &numbers);
+    assert_true(part.is_interior && part.lattice_m == model.lattice_m && part.lattice_m == 1 / 32.0);
+    free(numbers);
+    model_free(&part);
+    model_free(&model);
+}
+
 /* Nothing is open where doors and lifts move away: not in any of the rooms, with and without what moves. */
 static void what_stands_still_is_closed(void **state)
 {
@@ -265,6 +304,9 @@ int main(void)
         cmocka_unit_test_setup(tagged_doors_are_found_by_their_tag, begin),
         cmocka_unit_test_setup(a_lift_is_its_top_and_the_sides_that_show, begin),
         cmocka_unit_test_setup(a_lift_goes_down_four_units_a_tic_waits_and_comes_up, begin),
+        cmocka_unit_test_setup(a_door_has_all_of_its_sides, begin),
+        cmocka_unit_test_setup(a_lift_has_all_of_its_sides, begin),
+        cmocka_unit_test_setup(what_stands_still_is_on_the_maps_lattice, begin),
         cmocka_unit_test_setup(what_stands_still_is_closed, begin),
     };
     return cmocka_run_group_tests(tests, level_enter, level_leave);

@@ -582,7 +582,7 @@ static void masked_textures_and_alphas_go_together(void **state)
     const lim_index masked[] = {3 | LIM_POLYGON_ALPHA | LIM_POLYGON_TEXTURE | LIM_POLYGON_LAST, 0, 0, 1, 2, 99, 0, 0};
     const lim_index plain[] = {3 | LIM_POLYGON_TEXTURE | LIM_POLYGON_LAST, 0, 0, 1, 2, 0, 0};
     struct lim_texture texture = {.levels = 1, .place_bits = LIM_TEXTURE_MASKED};
-    const struct lim_mapping mapping = {.scale = LIM_MAPPING_UPRIGHT};
+    struct lim_mapping mapping = {.uv = {{1, 0}, {0, 0}}, .scale = LIM_MAPPING_UPRIGHT};
     struct lim_scene scene_of = {.vertices = vertices,
                                  .nodes = &node,
                                  .polygons = masked,
@@ -606,6 +606,11 @@ static void masked_textures_and_alphas_go_together(void **state)
     scene_of.polygons = plain;
     scene_of.polygon_words = 7;
     scene_of.limits.layers = 0;
+    for (int16_t times = 0; times <= 17; times = (int16_t)(times + 17)) {
+        mapping.uv[0][0] = times;
+        assert_scene_refused(&scene_of, times ? "a sky that goes 17 times round" : "a sky that goes 0 times round");
+    }
+    mapping.uv[0][0] = 16;
     if (!lim_check(&scene_of, &err)) fail_msg("%s", err.text);
     texture.place_bits = LIM_TEXTURE_MASKED;
     assert_scene_refused(&scene_of, "a masked texture, and no alpha");

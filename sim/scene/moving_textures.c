@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Two textures are one if their sizes, their texels, the colours that these name and what they are for are. */
-#include "compiler/moving_textures.h"
+#include "scene/moving_textures.h"
 
 #include "base/grow.h"
 #include "scene/encoding.h"
@@ -79,7 +79,14 @@ static void add_colour(struct texture_arrays *all, uint16_t colour)
     all->palettes[all->palette_colours++] = colour;
 }
 
-/* The number that it has among all. */
+/* Room for so many texels, a texture, and the end of the last palette. */
+static bool has_room(const struct texture_arrays *all, size_t texels)
+{
+    return all->texture_count < COUNT_MAX && all->palette_colours + 2 * TEXTURE_COLOURS <= COUNT_MAX &&
+           (all->texel_count + texels) / LIM_TEXEL_BLOCK <= COUNT_MAX;
+}
+
+/* The number that it has among all; COUNT_MAX: there is no room for it. */
 static size_t add_texture(struct texture_arrays *all, const struct lim_scene *object, const struct lim_texture *texture)
 {
     const size_t colours = colours_of(object, texture);
@@ -87,6 +94,7 @@ static size_t add_texture(struct texture_arrays *all, const struct lim_scene *ob
     for (size_t i = 0; i < all->texture_count; i++)
         if (is_same(all, i, object, texture)) return i;
     size_t block = find_texels(all, object, texture);
+    if (!has_room(all, block == COUNT_MAX ? texels_of(texture) : 0)) return COUNT_MAX;
     if (block == COUNT_MAX) block = add_texels(all, first_texel(object, texture), texels_of(texture));
     own.texels = (uint16_t)block;
     own.palette = (uint16_t)all->palette_colours;
@@ -95,13 +103,6 @@ static size_t add_texture(struct texture_arrays *all, const struct lim_scene *ob
     all->textures = grow(all->textures, all->texture_count, &all->texture_capacity, sizeof *all->textures);
     all->textures[all->texture_count] = own;
     return all->texture_count++;
-}
-
-/* Room for a texture, and for the end of the last palette. */
-static bool has_room(const struct texture_arrays *all, const struct lim_texture *texture)
-{
-    return all->texture_count < COUNT_MAX && all->palette_colours + 2 * TEXTURE_COLOURS <= COUNT_MAX &&
-           (all->texel_count + texels_of(texture)) / LIM_TEXEL_BLOCK <= COUNT_MAX;
 }
 
 static void begin(const struct lim_scene *scene, struct texture_arrays *all)
@@ -170,11 +171,12 @@ static bool collect(const struct moving *moving, struct texture_arrays *all, siz
 {
     for (size_t i = 0; i < moving->count; i++) {
         const struct lim_scene *object = &moving->objects[i].scene.scene;
-        if (lim_mappings_name_textures(object)) return false; /* the frame has no numbers for so many */
+        if (!object->texture_count) continue;
+        if (lim_mappings_name_textures(object)) return false; /* its mappings would have to be numbered, too */
         numbers[i] = grow_zeroed(object->texture_count, sizeof **numbers);
         for (size_t k = 0; k < object->texture_count; k++) {
-            if (!has_room(all, &object->textures[k])) return false;
             numbers[i][k] = add_texture(all, object, &object->textures[k]);
+            if (numbers[i][k] == COUNT_MAX) return false;
         }
     }
     return true;
