@@ -67,6 +67,7 @@ void lim_layers_open(struct lim_layers *layers, const struct lim_actives *active
     const bool in_idle = size > layers->own_size;
     layers->pool = in_idle ? (void *)idle : layers->own;
     layers->size = in_idle ? size : layers->own_size;
+    if (in_idle) layers->in_idle = true;
 }
 
 void lim_layers_push(struct lim_layers *layers, const struct lim_spans *spans, const struct lim_line *line,
@@ -116,7 +117,6 @@ static LIM_IF_CALLED void fill_masked(const struct lim_layers *layers, const str
 
 bool lim_layers_finish(struct lim_layers *layers, uint16_t *line, struct lim_stats *stats)
 {
-    if (layers->used && layers->pool != layers->own) layers->in_idle = true;
     if (layers->exhausted) {
         layers->exhausted = false;
         layers->used = 0;
