@@ -6,6 +6,7 @@
 #include "cmocka_ready.h"
 #include "compiler/compile_mesh.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -66,4 +67,41 @@ struct compiled texture_rig_compile(const struct model *model, struct mesh *mesh
         !compile_mesh(mesh, &options, &scene, &err))
         fail_msg("%s", err.text);
     return scene;
+}
+
+struct lim_camera texture_rig_camera(struct random *random, const struct grid *grid, double reach_m,
+                                     const double tans[2], unsigned w_px, unsigned h_px)
+{
+    struct lim_camera camera = {.near_q8 = 256};
+    for (int i = 0; i < 3; i++)
+        camera.eye_q8[i] = (int32_t)((2 * random_unit(random) - 1) * reach_m * grid->units_per_m * 256);
+    camera.yaw = (uint32_t)random_u64(random);
+    camera.pitch = (uint32_t)random_in(random, -(INT64_C(1) << 30), INT64_C(1) << 30);
+    camera.roll = (uint32_t)random_u64(random);
+    camera.tan_x_q28 = (uint32_t)((tans[0] + random_unit(random) * (tans[1] - tans[0])) * (1 << 28));
+    camera.tan_y_q28 = camera.tan_x_q28 / w_px * h_px;
+    return camera;
+}
+
+void texture_rig_draw(struct simulator *simulator, const struct lim_camera *camera)
+{
+    struct error err;
+    if (!simulator_frame(simulator, camera, &err)) fail_msg("%s", err.text);
+}
+
+static double radians(uint32_t angle)
+{
+    return ldexp(2 * 3.14159265358979323846 * angle, -32);
+}
+
+void texture_rig_axes(const struct lim_camera *camera, double right[3], double down[3], double ahead[3])
+{
+    const double y = radians(camera->yaw), p = radians(camera->pitch), r = radians(camera->roll);
+    const double flat[3] = {cos(y), 0, -sin(y)}, forward[3] = {-sin(y) * cos(p), sin(p), -cos(y) * cos(p)};
+    const double up[3] = {sin(y) * sin(p), cos(p), cos(y) * sin(p)};
+    for (int i = 0; i < 3; i++) {
+        ahead[i] = forward[i];
+        right[i] = flat[i] * cos(r) - up[i] * sin(r);
+        down[i] = -up[i] * cos(r) - flat[i] * sin(r);
+    }
 }

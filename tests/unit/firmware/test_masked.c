@@ -133,30 +133,7 @@ static void start(struct simulator *simulator, const struct rig *rig, struct dra
     if (!ok) fail_msg("%s", err.text);
 }
 
-static void draw(struct simulator *simulator, const struct lim_camera *camera)
-{
-    struct error err;
-    if (!simulator_frame(simulator, camera, &err)) fail_msg("%s", err.text);
-}
-
 /* Rays ----------------------------------------------------------------------------------------- */
-
-static double turns(uint32_t angle)
-{
-    return ldexp(2 * PI * angle, -32);
-}
-
-static void axes_of(const struct lim_camera *camera, double right[3], double down[3], double ahead[3])
-{
-    const double y = turns(camera->yaw), p = turns(camera->pitch), r = turns(camera->roll);
-    const double flat[3] = {cos(y), 0, -sin(y)}, forward[3] = {-sin(y) * cos(p), sin(p), -cos(y) * cos(p)};
-    const double up[3] = {sin(y) * sin(p), cos(p), cos(y) * sin(p)};
-    for (int i = 0; i < 3; i++) {
-        ahead[i] = forward[i];
-        right[i] = flat[i] * cos(r) - up[i] * sin(r);
-        down[i] = -up[i] * cos(r) - flat[i] * sin(r);
-    }
-}
 
 static double det(const double a[3], const double b[3], const double c[3])
 {
@@ -228,7 +205,7 @@ static uint16_t rgb565_of(uint32_t rgb)
 static uint32_t shown_at(const struct rig *rig, const struct lim_camera *camera, int x_px, int y_px)
 {
     double right[3], down[3], ahead[3], eye[3], ray[3];
-    axes_of(camera, right, down, ahead);
+    texture_rig_axes(camera, right, down, ahead);
     const double tan_x = ldexp(camera->tan_x_q28, -28), tan_y = ldexp(camera->tan_y_q28, -28);
     for (int i = 0; i < 3; i++) {
         eye[i] = camera->eye_q8[i] / 256.0 / rig->scene.grid.units_per_m + rig->scene.grid.origin_m[i];
@@ -252,7 +229,7 @@ static void holes_show_what_rays_meet_behind_them(void **state)
             start(&simulator, &rig, (struct drawing){LIM_NEAREST_FIRST, false, false, false});
             for (unsigned k = 0; k < CAMERAS; k++) {
                 const struct lim_camera camera = camera_near(&rig);
-                draw(&simulator, &camera);
+                texture_rig_draw(&simulator, &camera);
                 for (int y = 0; y < H_PX; y++)
                     for (int x = 0; x < W_PX; x++) {
                         const uint32_t rgb = shown_at(&rig, &camera, x, y);
@@ -290,11 +267,11 @@ static void all_orders_paint_the_same(void **state)
             start(&delta, &rig, (struct drawing){LIM_NEAREST_FIRST, false, false, true});
             for (unsigned k = 0; k < CAMERAS; k++) {
                 const struct lim_camera camera = camera_near(&rig);
-                draw(&nearest, &camera);
-                draw(&painter, &camera);
-                draw(&scanline, &camera);
-                draw(&tight, &camera);
-                draw(&delta, &camera);
+                texture_rig_draw(&nearest, &camera);
+                texture_rig_draw(&painter, &camera);
+                texture_rig_draw(&scanline, &camera);
+                texture_rig_draw(&tight, &camera);
+                texture_rig_draw(&delta, &camera);
                 assert_memory_equal(nearest.pixels, delta.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
                 assert_memory_equal(nearest.pixels, painter.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
                 assert_memory_equal(nearest.pixels, scanline.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
@@ -322,9 +299,9 @@ static void antialiased_insides_are_what_they_were(void **state)
         start(&scanline, &rig, (struct drawing){LIM_SCANLINE, false, true, false});
         for (unsigned k = 0; k < CAMERAS; k++) {
             const struct lim_camera camera = camera_near(&rig);
-            draw(&plain, &camera);
-            draw(&smooth, &camera);
-            draw(&scanline, &camera);
+            texture_rig_draw(&plain, &camera);
+            texture_rig_draw(&smooth, &camera);
+            texture_rig_draw(&scanline, &camera);
             assert_memory_equal(smooth.pixels, scanline.pixels, W_PX * H_PX * sizeof plain.pixels[0]);
             for (int p = 0; p < W_PX * H_PX; p++)
                 same += plain.pixels[p] == smooth.pixels[p], all++;

@@ -86,15 +86,7 @@ static void rig_free(struct rig *rig)
 
 static struct lim_camera camera_inside(struct rig *rig, double least_tan, double most_tan)
 {
-    struct lim_camera camera = {.near_q8 = 256};
-    for (int i = 0; i < 3; i++)
-        camera.eye_q8[i] = (int32_t)((random_unit(&rig->random) - 0.5) * rig->scene.grid.units_per_m * 256);
-    camera.yaw = (uint32_t)random_u64(&rig->random);
-    camera.pitch = (uint32_t)random_in(&rig->random, -(INT64_C(1) << 30), INT64_C(1) << 30);
-    camera.roll = (uint32_t)random_u64(&rig->random);
-    camera.tan_x_q28 = (uint32_t)((least_tan + random_unit(&rig->random) * (most_tan - least_tan)) * (1 << 28));
-    camera.tan_y_q28 = camera.tan_x_q28 / W_PX * H_PX;
-    return camera;
+    return texture_rig_camera(&rig->random, &rig->scene.grid, 0.5, (double[]){least_tan, most_tan}, W_PX, H_PX);
 }
 
 static void start(struct simulator *simulator, const struct rig *rig, enum lim_method method)
@@ -105,28 +97,16 @@ static void start(struct simulator *simulator, const struct rig *rig, enum lim_m
     if (!simulator_init(simulator, &rig->scene.scene, &setup, &err)) fail_msg("%s", err.text);
 }
 
-static void draw(struct simulator *simulator, const struct lim_camera *camera)
-{
-    struct error err;
-    if (!simulator_frame(simulator, camera, &err)) fail_msg("%s", err.text);
-}
-
 /* Angles ---------------------------------------------------------------------------------------- */
-
-static double radians(uint32_t angle)
-{
-    return ldexp(2 * PI * angle, -32);
-}
 
 static void ray_of(const struct lim_camera *camera, int x_px, int y_px, double ray[3])
 {
-    const double y = radians(camera->yaw), p = radians(camera->pitch), r = radians(camera->roll);
-    const double flat[3] = {cos(y), 0, -sin(y)}, forward[3] = {-sin(y) * cos(p), sin(p), -cos(y) * cos(p)};
-    const double up[3] = {sin(y) * sin(p), cos(p), cos(y) * sin(p)};
-    const double right = ldexp(camera->tan_x_q28, -28) * ((2.0 * x_px + 1) / W_PX - 1);
-    const double down = ldexp(camera->tan_y_q28, -28) * ((2.0 * y_px + 1) / H_PX - 1);
+    double right[3], down[3], ahead[3];
+    const double x = ldexp(camera->tan_x_q28, -28) * ((2.0 * x_px + 1) / W_PX - 1);
+    const double y = ldexp(camera->tan_y_q28, -28) * ((2.0 * y_px + 1) / H_PX - 1);
+    texture_rig_axes(camera, right, down, ahead);
     for (int i = 0; i < 3; i++)
-        ray[i] = forward[i] + right * (flat[i] * cos(r) - up[i] * sin(r)) - down * (up[i] * cos(r) + flat[i] * sin(r));
+        ray[i] = ahead[i] + x * right[i] + y * down[i];
 }
 
 struct checking {
@@ -174,7 +154,7 @@ static struct checking check_frames(struct rig *rig, double least_tan, double mo
     start(&simulator, rig, LIM_NEAREST_FIRST);
     for (unsigned k = 0; k < CAMERAS; k++) {
         const struct lim_camera camera = camera_inside(rig, least_tan, most_tan);
-        draw(&simulator, &camera);
+        texture_rig_draw(&simulator, &camera);
         for (int y = 0; y < H_PX; y++)
             for (int x = 0; x < W_PX; x++) {
                 double ray[3];
@@ -255,15 +235,15 @@ static void all_orders_paint_the_same(void **state)
                 camera.tan_y_q28 = random_tan_q28(&rig.random);
                 camera.pitch = k % 8 == 3 ? 0x40000000u : 0xC0000000u; /* straight up, or down */
             }
-            draw(&nearest, &camera);
-            draw(&painter, &camera);
-            draw(&scanline, &camera);
-            draw(&tight, &camera);
+            texture_rig_draw(&nearest, &camera);
+            texture_rig_draw(&painter, &camera);
+            texture_rig_draw(&scanline, &camera);
+            texture_rig_draw(&tight, &camera);
             assert_memory_equal(nearest.pixels, painter.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
             assert_memory_equal(nearest.pixels, scanline.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
             assert_memory_equal(nearest.pixels, tight.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
             if (k % 4 == 3) continue;
-            draw(&smooth, &camera);
+            texture_rig_draw(&smooth, &camera);
             size_t other = 0;
             for (int p = 0; p < W_PX * H_PX; p++)
                 other += nearest.pixels[p] != smooth.pixels[p];

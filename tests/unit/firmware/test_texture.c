@@ -44,15 +44,7 @@ static void rig_free(struct rig *rig)
 /* Anywhere inside, 2 cm from a wall at least, with a lens from 10 to 100 degrees. */
 static struct lim_camera camera_inside(struct rig *rig)
 {
-    struct lim_camera camera = {.near_q8 = 256};
-    for (int i = 0; i < 3; i++)
-        camera.eye_q8[i] = (int32_t)((random_unit(&rig->random) * 1.96 - 0.98) * rig->scene.grid.units_per_m * 256);
-    camera.yaw = (uint32_t)random_u64(&rig->random);
-    camera.pitch = (uint32_t)random_in(&rig->random, -(INT64_C(1) << 30), INT64_C(1) << 30);
-    camera.roll = (uint32_t)random_u64(&rig->random);
-    camera.tan_x_q28 = (uint32_t)((0.09 + random_unit(&rig->random) * 1.1) * (1 << 28));
-    camera.tan_y_q28 = camera.tan_x_q28 / W_PX * H_PX;
-    return camera;
+    return texture_rig_camera(&rig->random, &rig->scene.grid, 0.98, (double[]){0.09, 1.19}, W_PX, H_PX);
 }
 
 static void simulator_start(struct simulator *simulator, const struct rig *rig, enum lim_method method)
@@ -61,33 +53,6 @@ static void simulator_start(struct simulator *simulator, const struct rig *rig, 
         .w_px = W_PX, .h_px = H_PX, .method = method, .panel = SIMULATOR_MEMORY, .core = rig->core};
     struct error err;
     if (!simulator_init(simulator, &rig->scene.scene, &setup, &err)) fail_msg("%s", err.text);
-}
-
-static void draw(struct simulator *simulator, const struct lim_camera *camera)
-{
-    struct error err;
-    if (!simulator_frame(simulator, camera, &err)) fail_msg("%s", err.text);
-}
-
-/* Rays ----------------------------------------------------------------------------------------- */
-
-static double turns(uint32_t angle)
-{
-    return angle * (2 * 3.14159265358979323846 / 4294967296.0);
-}
-
-/* Yaw, pitch and roll as camera.h has them, written down a second time. */
-static void axes_of(const struct lim_camera *camera, double right[3], double down[3], double ahead[3])
-{
-    const double y = turns(camera->yaw), p = turns(camera->pitch), r = turns(camera->roll);
-    const double flat[3] = {cos(y), 0, -sin(y)};
-    const double forward[3] = {-sin(y) * cos(p), sin(p), -cos(y) * cos(p)};
-    const double up[3] = {sin(y) * sin(p), cos(p), cos(y) * sin(p)};
-    for (int i = 0; i < 3; i++) {
-        ahead[i] = forward[i];
-        right[i] = flat[i] * cos(r) - up[i] * sin(r);
-        down[i] = -up[i] * cos(r) - flat[i] * sin(r);
-    }
 }
 
 struct checking {
@@ -157,9 +122,9 @@ static struct checking check_all(struct rig *rig, unsigned cameras)
     const struct lim_scene *scene = &rig->scene.scene;
     for (unsigned i = 0; i < cameras; i++) {
         const struct lim_camera camera = camera_inside(rig);
-        draw(&simulator, &camera);
+        texture_rig_draw(&simulator, &camera);
         checking.camera = &camera;
-        axes_of(&camera, checking.right, checking.down, checking.ahead);
+        texture_rig_axes(&camera, checking.right, checking.down, checking.ahead);
         for (size_t word = 0, record = 0; word < scene->polygon_words;
              word += lim_record_words(scene->polygons[word]), record++) {
             checking.mapping = &rig->mesh.mappings[rig->mesh.polygons[rig->scene.faces[record] - 1].mapping];
@@ -219,9 +184,9 @@ static void both_orders_paint_the_same(void **state)
         simulator_start(&scanline, &rig, LIM_SCANLINE);
         for (unsigned k = 0; k < CAMERAS; k++) {
             const struct lim_camera camera = camera_inside(&rig);
-            draw(&nearest, &camera);
-            draw(&painter, &camera);
-            draw(&scanline, &camera);
+            texture_rig_draw(&nearest, &camera);
+            texture_rig_draw(&painter, &camera);
+            texture_rig_draw(&scanline, &camera);
             assert_memory_equal(nearest.pixels, painter.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
             assert_memory_equal(nearest.pixels, scanline.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
         }
@@ -251,9 +216,9 @@ static void extremes_are_painted_alike(void **state)
             camera.pitch = random_angle(&rig.random);
             if (k % 3 == 0) camera.eye_q8[k % 9 / 3] = (int32_t)random_in(&rig.random, -(1 << 28) + 1, (1 << 28) - 1);
             if (k % 3 == 1) camera.eye_q8[k % 9 / 3] = rig.scene.scene.vertices[0].x * 256 + (int32_t)(k % 5) - 2;
-            draw(&nearest, &camera);
-            draw(&painter, &camera);
-            draw(&scanline, &camera);
+            texture_rig_draw(&nearest, &camera);
+            texture_rig_draw(&painter, &camera);
+            texture_rig_draw(&scanline, &camera);
             assert_memory_equal(nearest.pixels, painter.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
             assert_memory_equal(nearest.pixels, scanline.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
         }
