@@ -13,7 +13,7 @@ is_right() { # MAP
     echo "$row"
     # shellcheck disable=SC2086 # figures are words
     set -- $row
-    [ $# -eq 21 ] && [ "${10}${11}${20}${21}" = 0000 ]
+    [ $# -eq 25 ] && [ "${10}${11}${22}${23}" = 0000 ]
 }
 
 for episode in 1 2 3 4; do

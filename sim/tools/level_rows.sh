@@ -4,9 +4,9 @@
 # Each row is kept in $BUILD/levels as soon as it is there, so that a run that was stopped goes on where it was; a row is measured
 # anew when a source of the compiler or the renderer is younger. LEVELS="E1M1 MAP01": these alone.
 #
-# A row, divided by blanks: map; faces, polygons, splits, bytes of the scene in flash, those of its textures, RAM in bytes, instructions of a mean frame on
-# Cortex-M4F, wrong pixels in %, holes, errors of order; the same figures without textures. Eight cameras at random in free space,
-# 240x240, profile fast.
+# A row, divided by blanks: map; faces, polygons, splits, bytes of the scene in flash, those of its textures, RAM in bytes, instructions of
+# a mean frame on Cortex-M4F, wrong pixels in %, holes, errors of order, seconds of a processor that compiling took, its memory in MB; the
+# same figures without textures. Eight cameras at random in free space, 240x240, profile fast.
 set -eu
 
 : "${BUILD:=build}" "${LEVELS:=}"
@@ -34,7 +34,7 @@ is_done() { # ROW
     [ -s "$1" ] && [ -z "$(find firmware sim/base sim/cameras sim/compiler sim/levels sim/model sim/readers sim/scene sim/trees -name '*.[ch]' -newer "$1" -print -quit)" ]
 }
 
-# Ten figures.
+# Twelve figures.
 figures() { # MODEL OPTION...
     "$BUILD/limner" compile "$@" --report >"$work/report" 2>"$work/said" || { cat "$work/said" >&2; return 1; }
     "$BUILD/limner" measure "$@" --precision fast --core m4 --camera random:1:8 -o "$work/measured" >"$work/said" 2>&1 ||
@@ -46,6 +46,8 @@ figures() { # MODEL OPTION...
         { printf " %d %d %.4f %d %d", $c["state_b"] + $c["pools_b"] + $c["static_b"], $c["instructions"], $c["wrong_percent"],
             $c["holes"], $c["order_errors"] }' \
         "$work/measured/measure.csv"
+    awk '/^processor time for compiling/ { seconds = $(NF - 1) } /^memory for compiling/ { memory_mb = $(NF - 1) }
+        END { printf " %s %d", seconds, memory_mb }' "$work/report"
 }
 
 maps >"$work/maps"
