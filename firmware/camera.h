@@ -37,6 +37,7 @@ uint32_t lim_atan2(int32_t y, int32_t x);
 /* A full turn is 2^32. Yaw 0 looks along -z, a quarter turn along -x: counter-clockwise from above;
  * pitch raises the view; roll turns the picture counter-clockwise. Nothing is accumulated: a stored
  * angle cannot drift. */
+LIM_OPTIONAL_BEGIN
 struct lim_camera {
     int32_t eye_q8[3]; /* units with 8 fraction bits, |eye_q8| < 2^28 */
     uint32_t yaw, pitch, roll;
@@ -45,7 +46,10 @@ struct lim_camera {
      * 2^-16 / min(1, tan_x, tan_y) of the distance of the scene's far end, nor than 1 unit: less than 2 units
      * for an eye within the grid and a lens of 90 degrees. Nearer by, z has too few bits to divide by. */
     int32_t near_q8;
+    /* In a scene of many scales (long.h): where eye_q8 counts from, units; eye and origin together are below 2^30. */
+    LIM_OPTIONAL(int32_t, origin, 3 * LIM_HAS_LONG);
 };
+LIM_OPTIONAL_END
 
 /* Puts the camera at the eye and turns it to the target, upright; roll and lens stay as they are. Both in units with 8
  * fraction bits, anywhere in 32 bits; but lim_frame() refuses eyes that are out of range. The target is in the middle

@@ -175,6 +175,10 @@
 #define LIM_HAS_WIDE 0
 #endif
 #endif
+/* Coordinates of 32 bits, for scenes of many scales. */
+#ifndef LIM_HAS_LONG
+#define LIM_HAS_LONG LIM_BOTH(LIM_HAS_TREE, LIM_HAS_WIDE)
+#endif
 /* Leaves: ordered clusters and sets without a tree. */
 #ifndef LIM_HAS_LEAVES
 #define LIM_HAS_LEAVES 1

@@ -53,6 +53,7 @@ void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32
     for (uint8_t i = 0; i < 3; i++)
         eye->at_q8[i] = at_q8[i];
     if (LIM_HAS_FILTER) reduce(eye);
+    if (LIM_HAS_LONG) eye->far->all = NULL;
 }
 
 /*@ assigns \nothing;

@@ -12,6 +12,20 @@
 
 void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3]);
 
+/* The same in a long scene; false: the camera is out of range. Then the side of any plane, as lim_eye_side() has it, and a
+ * box that holds a box as it is seen from the eye, in units that make it fit. */
+bool lim_eye_set_long(struct lim_eye *eye, const struct lim_scene *scene, const struct lim_camera *camera);
+int32_t lim_eye_long_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref);
+void lim_eye_long_box(const struct lim_eye *eye, const LIM_FLASH struct lim_long_box *box, struct lim_box *out);
+
+/* Whichever the scene is. */
+static inline bool lim_eye_begin(struct lim_eye *eye, const struct lim_scene *scene, const struct lim_camera *camera)
+{
+    if (LIM_HAS_LONG && lim_scene_long(scene)) return lim_eye_set_long(eye, scene, camera);
+    lim_eye_set(eye, scene, camera->eye_q8);
+    return true;
+}
+
 /* The side of a plane that is not an axis plane, from anywhere: positive in front, negative behind, 0 exactly
  * on it. The second multiplies in 64 bits at once: for where the filter cannot tell, and for builds without one. */
 int32_t lim_eye_far_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref);
@@ -65,6 +79,7 @@ static inline int32_t lim_eye_side(const struct lim_eye *eye, const LIM_FLASH st
 {
     const lim_index at = ref->plane;
 
+    if (LIM_HAS_LONG && eye->far->all) return lim_eye_long_side(eye, ref);
     if (LIM_HAS_FILTER && at < eye->near_end) {
         const int32_t side = lim_eye_near_side(eye, lim_plane_at(eye->planes, at));
         return side ? side : lim_eye_close_side(eye, ref);

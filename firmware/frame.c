@@ -77,6 +77,9 @@ static inline bool ends_in_leaf(const struct lim_scene *scene)
  * draws nothing else. */
 static bool scene_is_usable(const struct lim_scene *scene, const struct lim_target *target)
 {
+    if (LIM_HAS_LONG && lim_scene_long(scene) &&
+        (LIM_IS_MESH(target) || LIM_IS_SORTED(target) || LIM_IS_CONVEX(target) || scene->limits.leaf_polygons))
+        return false;
     if (LIM_IS_MESH(target)) return !scene->node_count && scene->box_count;
     return !lim_scene_is_mesh(scene) && (LIM_IS_SORTED(target) || scene->limits.depth) &&
            scene->limits.vertices <= LIM_MAX_VERTICES && (LIM_HAS_SLANTED || !scene->plane_count) &&
@@ -197,7 +200,8 @@ static LIM_IN_EACH_CALLER int set_camera(struct lim *lim, const struct lim_camer
     if (LIM_HAS_STATS) *lim_stats_of(pass) = (struct lim_stats){0};
     if (LIM_HAS_SPANS) lim->nearest->bands = 0;
     if (!begin_view(pass, camera)) return LIM_ERR_CAMERA;
-    if (LIM_HAS_PLANES) lim_eye_set(lim_eye_of(pass), pass->scene, camera->eye_q8);
+    if (LIM_HAS_PLANES && !lim_eye_begin(lim_eye_of(pass), pass->scene, camera)) return LIM_ERR_CAMERA;
+    if (LIM_HAS_LONG) *pass->view.rows.eye = *lim_eye_of(pass)->far;
     if (LIM_HAS_PORTALS) lim_walk_look_around(pass->walk, camera, pass->view.rows.far_units);
     if (LIM_HAS_MOVERS) lim_movers_pose(lim->movers, pass, camera);
     return LIM_OK;

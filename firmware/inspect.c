@@ -30,11 +30,12 @@ void lim_inspect_count_as(struct lim *lim, const struct lim_counted *counted, si
     if (LIM_HAS_SPANS) lim_nearest_count_as(lim->nearest, counted, counted_b);
 }
 
-int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3])
+int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_ref *ref,
+                        const struct lim_camera *camera)
 {
     struct lim_eye eye;
 
-    lim_eye_set(&eye, scene, eye_q8);
+    if (!lim_eye_begin(&eye, scene, camera)) return 0;
     const int32_t side = lim_eye_side(&eye, ref);
     return (int8_t)((side > 0) - (side < 0));
 }

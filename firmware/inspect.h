@@ -18,8 +18,9 @@ void lim_inspect_count_as(struct lim *lim, const struct lim_counted *counted, si
 
 bool lim_inspect_vertex(struct lim *lim, lim_index vertex, struct lim_point *at);
 
-/* The side of a plane that an eye is on, as WALK decides it: 1 in front, -1 behind, 0 on it. */
-int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3]);
+/* The side of a plane that a camera's eye is on, as WALK decides it: 1 in front, -1 behind, 0 on it. */
+int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_ref *ref,
+                        const struct lim_camera *camera);
 
 /* The texel that a pixel shows. */
 struct lim_inspected_texel {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * A compiled scene: a BSP tree in const data. `limner compile` writes it as C arrays for flash
- * and as a .lim file, which a host loads in place; SCENE.md specifies the bits of both.
+ * A compiled scene: a BSP tree in const data. `limner compile` writes it as C arrays for flash and as a .lim file,
+ * which a host loads in place; SCENE.md specifies the bits of both.
  *
- * Coordinates are units: 16-bit integers, one scale for the whole scene, y up, right-handed.
- * A plane is the set of points p with n . p = d; its front is where n . p > d. */
+ * Coordinates are units: 16-bit integers, one scale for the whole scene (or 32-bit ones: long.h), y up, right-handed. A
+ * plane is the set of points p with n . p = d; its front is where n . p > d. */
 #ifndef LIM_SCENE_H
 #define LIM_SCENE_H
 
@@ -196,7 +196,7 @@ static inline bool lim_texture_is_sky(const LIM_FLASH struct lim_texture *textur
     return LIM_HAS_SKY && texture->place_bits & LIM_TEXTURE_SKY;
 }
 
-/* A colour as the target's memory holds it, in a constant: lim_memory_colour(). */
+/* A constant colour as the target's memory holds it: lim_memory_colour(). */
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
 #define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)((rgb565) << 8 | (rgb565) >> 8))
 #else
@@ -204,8 +204,7 @@ static inline bool lim_texture_is_sky(const LIM_FLASH struct lim_texture *textur
 #endif
 
 /* From which cell on a visible set holds. A cell is where the tree ends: twice the number of the node whose child is
- * missing, and 1 more behind its plane. Places come in the order of their cells. Only scenes of up to 32767 nodes have
- * any.
+ * missing, and 1 more behind its plane. Places come in their cells' order. Scenes of over 32767 nodes have none.
  *
  * A visible set is a bit a box, whether anything of its subtree may be seen, lowest first; a byte of zeros is followed
  * by how many of them there are, 1..255. */
@@ -230,7 +229,7 @@ struct lim_limits {
 };
 
 LIM_OPTIONAL_BEGIN
-
+struct lim_long;
 struct lim_scene {
     const LIM_FLASH struct lim_vertex *vertices;
     const LIM_FLASH struct lim_node *nodes; /* the root is nodes[0]; children come after parents */
@@ -261,6 +260,7 @@ struct lim_scene {
      * triangles may be clipped, those from near_deep_from on, which is no more. */
     LIM_OPTIONAL(lim_index, deep_from, LIM_HAS_MESH_DEPTH);
     LIM_OPTIONAL(lim_index, near_deep_from, LIM_HAS_MESH_DEPTH);
+    LIM_OPTIONAL(const struct lim_long *, of_32_bits, LIM_HAS_LONG); /* NULL: it is none of many scales (long.h) */
 };
 
 LIM_OPTIONAL_END
@@ -355,7 +355,7 @@ static inline int32_t lim_plane_d(const LIM_FLASH struct lim_plane *plane)
     return LIM_PLANE_SLACK - plane->slack_less_d;
 }
 
-/* Words of a record, which begins with `head`. */
+/* Words of a record that begins with `head`. */
 static inline uint16_t lim_record_words(lim_index head)
 {
     uint16_t words = (uint16_t)(LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT));

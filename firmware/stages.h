@@ -9,6 +9,7 @@
 
 #include "camera.h" /* first: where a type stands decides whether the proof of perspective_at() is found in time */
 #include "config.h"
+#include "long.h"
 #include "scene.h"
 #include "target.h"
 #include "texturing.h"
@@ -161,6 +162,7 @@ struct lim_rows {
     struct lim_row row[3]; /* x, y and z of view space */
     int32_t near_qv;       /* distance of the near plane in view space, >= PERSPECTIVE_Z_MIN_QV */
     uint32_t far_units;    /* no vertex is farther from the eye */
+    LIM_OPTIONAL(struct lim_long_eye, eye, LIM_HAS_LONG); /* of a long scene, whose rows put the eye at 0 */
 };
 
 /* One side of the screen. */
@@ -218,6 +220,7 @@ struct lim_eye {
     int32_t large_slack;        /* how far the filter of a LARGE plane can be off, in its own scale */
     const struct lim_scene *scene;
     const LIM_FLASH struct lim_plane *planes; /* the scene's: a load less on the way to each */
+    LIM_OPTIONAL(struct lim_long_eye, far, LIM_HAS_LONG); /* in a long scene, where at_q8 is 0 */
 };
 
 /* 64 bits that lie as words do: so what holds a part with some of them is not larger where that part is left out. */

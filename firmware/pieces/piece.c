@@ -185,6 +185,7 @@ static void view_corner(const struct lim_sorter *sorter, const int32_t at_q12[3]
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = transform_fine(&view->rows.row[i], at_q12, bits);
     if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
+    if (LIM_HAS_LONG) *out->exponent = 0;
 }
 
 static LIM_RARE bool project_corners(const struct lim_sorter *sorter, const struct lim_corners *corners,

@@ -305,11 +305,17 @@ bool lim_delta_wants_lines(const struct lim_delta *delta)
 
 /* Frames --------------------------------------------------------------------------------------------------------- */
 
+static inline bool has_same_origin(const struct lim_camera *a, const struct lim_camera *b)
+{
+    return !LIM_HAS_LONG ||
+           (a->origin[0] == b->origin[0] && a->origin[1] == b->origin[1] && a->origin[2] == b->origin[2]);
+}
+
 static bool is_same(const struct lim_camera *a, const struct lim_camera *b)
 {
     return a->eye_q8[0] == b->eye_q8[0] && a->eye_q8[1] == b->eye_q8[1] && a->eye_q8[2] == b->eye_q8[2] &&
            a->yaw == b->yaw && a->pitch == b->pitch && a->roll == b->roll && a->tan_x_q28 == b->tan_x_q28 &&
-           a->tan_y_q28 == b->tan_y_q28 && a->near_q8 == b->near_q8;
+           a->tan_y_q28 == b->tan_y_q28 && a->near_q8 == b->near_q8 && has_same_origin(a, b);
 }
 
 void lim_delta_begin_frame(struct lim_delta *delta, const struct lim_camera *camera, struct lim_stats *stats)

@@ -23,7 +23,7 @@ const LIM_FLASH struct lim_node *lim_route_node_to_enter(struct lim_route *route
 {
     const LIM_FLASH struct lim_node *node = &route->scene->nodes[route->next];
 
-    if (lim_node_is_skipped(route->scene, node, route->shown, route->cull, route->depth,
+    if (lim_node_is_skipped(route->scene, node, route->shown, route->eye, route->cull, route->depth,
                             lim_stats_of(route->sorter->pass))) {
         route->next = LIM_NO_INDEX;
         return NULL;
@@ -83,7 +83,7 @@ lim_index lim_route_next_alone(struct lim_route *route)
         const LIM_FLASH struct lim_node *node = &nodes[next];
         const lim_index self = next;
         next = LIM_NO_INDEX;
-        if (lim_node_is_skipped(scene, node, route->shown, route->cull, depth, stats)) continue;
+        if (lim_node_is_skipped(scene, node, route->shown, eye, route->cull, depth, stats)) continue;
         if (LIM_HAS_STATS) stats->nodes++;
         if (lim_node_is_leaf(node)) {
             run = node->front_run;

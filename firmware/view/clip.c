@@ -20,18 +20,22 @@ static struct clip_plane plane_of(uint_fast8_t number, int32_t near_qv)
     return (struct clip_plane){.of = (uint_fast8_t)(number - 1) >> 1, .kept = -1, .turned = number & 1 ? 0 : -1};
 }
 
-/* Inside where >= 0. */
+/* Inside where >= 0; in a long scene as the point's exponent has it. */
 static inline int32_t distance(const struct lim_view_point *p, const struct clip_plane *plane)
 {
     const int32_t quarter = (p->qv[plane->of] >> 2) & plane->kept;
 
-    return (p->z_qv >> 1) + ((quarter ^ plane->turned) - plane->turned) - plane->near_qv2;
+    return (p->z_qv >> 1) + ((quarter ^ plane->turned) - plane->turned) - lim_view_near(p, plane->near_qv2);
 }
 
 /* Of the two points one is inside; from it, so that both ways along an edge lead to the same cut. */
 static LIM_RARE void cut(struct lim_view_point *out, const struct lim_view_point *from, int32_t from_d,
                          const struct lim_view_point *to, int32_t to_d)
 {
+    if (LIM_HAS_LONG && *from->exponent != *to->exponent) {
+        lim_clip_cut_long(out, from, from_d, to, to_d);
+        return;
+    }
     const bool leaves = to_d < 0;
     const struct lim_view_point *inner = leaves ? from : to, *outer = leaves ? to : from;
     const uint32_t inner_d = (uint32_t)(leaves ? from_d : to_d), outer_d = (uint32_t)(leaves ? to_d : from_d);
@@ -39,6 +43,7 @@ static LIM_RARE void cut(struct lim_view_point *out, const struct lim_view_point
 
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = lerp_q31(inner->qv[i], outer->qv[i], t_q31);
+    if (LIM_HAS_LONG) *out->exponent = *inner->exponent;
 }
 
 /* The edge that leads on from a cut: along the plane, or what is left of one that enters. */
@@ -84,7 +89,7 @@ static uint32_t planes_crossed(const struct lim_clip_polygon *polygon, int32_t n
 
     for (const struct lim_view_point *p = polygon->at, *const end = p + polygon->n; p < end; p++) {
         const int32_t half_z = p->z_qv >> 1;
-        near |= half_z - near_qv2;
+        near |= half_z - lim_view_near(p, near_qv2);
         LIM_UNROLLED(2)
         for (uint_fast8_t i = 0; i < 2; i++) {
             const int32_t quarter = p->qv[i] >> 2;
@@ -104,8 +109,10 @@ static inline int32_t clamp_s32(int32_t x, uint32_t limit)
 }
 
 /* Rounding may leave a cut point a unit outside of the planes; the projection needs it inside. */
-static void settle(struct lim_view_point *point, int32_t near_qv)
+static void settle(struct lim_view_point *point, int32_t least_z_qv)
 {
+    const int32_t near_qv = lim_view_near(point, least_z_qv);
+
     if (point->z_qv < near_qv) point->z_qv = near_qv;
     if (point->z_qv > INT32_MAX / 2) return;
     const uint32_t limit_qv = 2 * (uint32_t)point->z_qv;

@@ -19,10 +19,17 @@ static inline void lim_clip_load(struct lim_clip_polygon *polygon, const struct 
 {
     polygon->n = n;
     for (uint_fast8_t k = 0; k < n; k++) {
-        lim_view_transform(view, scene, &scene->vertices[corners[k]], &polygon->at[k]);
+        if (LIM_HAS_LONG && lim_scene_long(scene))
+            lim_view_transform_long(view, corners[k], &polygon->at[k]);
+        else
+            lim_view_transform(view, scene, &scene->vertices[corners[k]], &polygon->at[k]);
         if (LIM_HAS_WIREFRAME) lim_view_hide_edge(&polygon->at[k], false);
     }
 }
+
+/* Where an edge meets a plane between two points of different exponents, at distances of which one is negative. */
+void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *a, int32_t a_d,
+                       const struct lim_view_point *b, int32_t b_d);
 
 /* polygons[0] is clipped, in two places by turns; returns the one with the result. Every point that is left has
  * near <= z and |x|, |y| <= 2z. */

@@ -42,6 +42,7 @@ static inline void transform_units(const struct lim_view *view, const struct lim
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = transform_row(&view->rows.row[i], at);
     if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
+    if (LIM_HAS_LONG) *out->exponent = 0;
 }
 
 static VIEW_SHARED void transform(const struct lim_view *view, const struct lim_scene *scene,
@@ -114,6 +115,10 @@ void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim
 {
     struct lim_view_point point;
 
+    if (LIM_HAS_LONG && lim_scene_long(scene)) {
+        lim_view_remember_long(view, vertex, entry);
+        return;
+    }
     transform(view, scene, &scene->vertices[vertex], &point);
     const uint8_t codes = codes_of(view, &point);
     entry->vertex = vertex;

@@ -12,7 +12,7 @@
 #include "camera.h"
 #include "stages.h"
 
-/* |coordinate| < 2^31. */
+/* |coordinate| < 2^31. In a long scene coordinates are 2^exponent times as large, there and nowhere else. */
 struct lim_view_point {
     __extension__ union { /* C++ wants names for both */
         struct {
@@ -21,7 +21,17 @@ struct lim_view_point {
         int32_t qv[3]; /* the same */
     };
     LIM_OPTIONAL(bool, hidden, LIM_HAS_WIREFRAME); /* the edge from here to the next point is not drawn */
+    LIM_OPTIONAL(int8_t, exponent, LIM_HAS_LONG);
 };
+
+/* The near plane, as far as a point's exponent has it; at most 2^31 - 1. */
+static inline int32_t lim_view_near(const struct lim_view_point *point, int32_t near_qv)
+{
+    if (!LIM_HAS_LONG || !*point->exponent) return near_qv;
+    const int_fast8_t down = *point->exponent;
+    if (down > 0) return near_qv >> (down < 31 ? down : 31);
+    return near_qv >> (31 + (down > -31 ? down : -31)) ? INT32_MAX : near_qv * (INT32_C(1) << -down);
+}
 
 /* Whether wireframe leaves out the edge from a point to the next one. */
 static inline void lim_view_hide_edge(struct lim_view_point *point, bool hidden)
@@ -94,6 +104,11 @@ void lim_view_transform(const struct lim_view *view, const struct lim_scene *sce
 
 /* Needs near <= z and |x|, |y| <= 2z. */
 void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out);
+
+/* These three of a vertex of a long scene. */
+void lim_view_transform_long(const struct lim_view *view, lim_index vertex, struct lim_view_point *out);
+void lim_view_project_long(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out);
+void lim_view_remember_long(struct lim_view *view, lim_index vertex, struct lim_view_cached *entry);
 
 /* Takes a vertex in, in the place of what the entry held. */
 void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,

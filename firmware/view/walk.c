@@ -60,7 +60,7 @@ lim_index lim_walk_next(struct lim_walk *walk, struct lim_cull *cull, struct lim
         }
         const LIM_FLASH struct lim_node *node = &nodes[next];
         next = LIM_NO_INDEX;
-        if (lim_node_is_skipped(walk->eye.scene, node, walk->shown, cull, depth, stats)) continue;
+        if (lim_node_is_skipped(walk->eye.scene, node, walk->shown, &walk->eye, cull, depth, stats)) continue;
         if (LIM_HAS_STATS) stats->nodes++;
         if (lim_node_is_leaf(node)) {
             run = node->front_run;

@@ -7,15 +7,27 @@
 #define LIM_WALK_H
 
 #include "camera.h"
+#include "eye.h"
 #include "stages.h"
 #include "view/cull.h"
 #include "view/portals.h"
 
+static inline bool lim_box_is_out(const struct lim_scene *scene, lim_index number, const struct lim_eye *eye,
+                                  struct lim_cull *cull, uint16_t depth)
+{
+    if (LIM_HAS_LONG && lim_scene_long(scene)) {
+        struct lim_box box;
+        lim_eye_long_box(eye, &lim_scene_long(scene)->boxes[number], &box);
+        return !lim_cull_enters(cull, (const LIM_FLASH struct lim_box *)&box, depth);
+    }
+    return !lim_cull_enters(cull, &scene->boxes[number], depth);
+}
+
 /* Whether a subtree is out of view, or cannot be seen from where the eye is. shown: as in lim_walk; depth: of the
  * walk's stack. */
 static inline bool lim_node_is_skipped(const struct lim_scene *scene, const LIM_FLASH struct lim_node *node,
-                                       const uint8_t *shown, struct lim_cull *cull, uint16_t depth,
-                                       struct lim_stats *stats)
+                                       const uint8_t *shown, const struct lim_eye *eye, struct lim_cull *cull,
+                                       uint16_t depth, struct lim_stats *stats)
 {
     if (!LIM_HAS_CULL || node->box == LIM_NO_INDEX) return false;
     if (LIM_HAS_PORTALS && shown && !lim_portals_show(shown, node->box)) {
@@ -24,7 +36,7 @@ static inline bool lim_node_is_skipped(const struct lim_scene *scene, const LIM_
     }
     if (cull->inside_depth <= depth) return false;
     if (LIM_HAS_STATS) stats->boxes++;
-    if (lim_cull_enters(cull, &scene->boxes[node->box], depth)) return false;
+    if (!lim_box_is_out(scene, node->box, eye, cull, depth)) return false;
     if (LIM_HAS_STATS) stats->boxes_out++;
     return true;
 }

@@ -57,7 +57,7 @@ void reference_bend(struct reference *reference, size_t mover, void (*bend)(doub
 /* The same from a model file: imported, turned, read once more by the reference's own reader (source.h), and cleaned as
  * mesh_clean_fine() does. */
 bool reference_read(struct reference *reference, const char *model_path, const struct orientation *orientation,
-                    unsigned w_px, unsigned h_px, struct error *err);
+                    const struct grid *grid, unsigned w_px, unsigned h_px, struct error *err);
 
 /* Draws into faces and depths_m. Pixel (0, 0) is the top left one; its centre lies at
  * x = -tan_x * (1 - 1 / w_px), y = tan_y * (1 - 1 / h_px) on the plane at distance 1. */

@@ -114,7 +114,7 @@ bool reference_init(struct reference *reference, const struct mesh *mesh, unsign
 }
 
 bool reference_read(struct reference *reference, const char *model_path, const struct orientation *orientation,
-                    unsigned w_px, unsigned h_px, struct error *err)
+                    const struct grid *grid, unsigned w_px, unsigned h_px, struct error *err)
 {
     struct model model;
     struct mesh mesh;
@@ -122,7 +122,7 @@ bool reference_read(struct reference *reference, const char *model_path, const s
     bool ok = source_take(model_path, &model, err);
     const struct model view = source_view(&model);
     const bool shares_importer = !model.source_points;
-    ok = ok && (mesh_clean_fine(&view, NULL, &mesh, err) || error_prefix(err, model_path));
+    ok = ok && (mesh_clean_fine(&view, grid, &mesh, err) || error_prefix(err, model_path));
     model_free(&model);
     if (!ok) return false;
     ok = reference_init(reference, &mesh, w_px, h_px, err);

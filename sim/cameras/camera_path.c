@@ -6,6 +6,7 @@
 
 #include "base/input_file.h"
 #include "base/notice.h"
+#include "scene/vertex_units.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -207,8 +208,8 @@ static const double STEEP_ELEVATION = 36.0 / 180.0 * PI; /* from so near a box s
 
 static void vertex_m(const struct compiled *compiled, size_t index, double out_m[3])
 {
-    const struct lim_vertex *vertex = &compiled->scene.vertices[index];
-    const double units[3] = {vertex->x, vertex->y, vertex->z};
+    double units[3];
+    vertex_units(&compiled->scene, (lim_index)index, units);
     for (int i = 0; i < 3; i++)
         out_m[i] = compiled->grid.origin_m[i] + units[i] / compiled->grid.units_per_m;
 }
@@ -356,7 +357,7 @@ double lens_least_near_m(const struct lens *lens, const struct grid *grid)
 
 double lens_usual_near_m(const struct grid *grid)
 {
-    const double longest_side_units = 65534.0;
+    const double longest_side_units = grid->is_long ? 2.0 * LIM_LONG_END : 65534.0;
     return fmin(0.1, longest_side_units / grid->units_per_m / 10.0);
 }
 
@@ -401,16 +402,24 @@ static uint32_t turn_from_radians(double radians)
     return (uint32_t)(int64_t)llround(radians / (2.0 * PI) * 4294967296.0);
 }
 
+void camera_put(struct lim_camera *camera, int axis, double eye_units, const struct grid *grid)
+{
+    const double eye_q8 = round(eye_units * 256.0);
+    camera->origin[axis] = grid->is_long ? (int32_t)floor(eye_q8 / 256.0) : 0;
+    camera->eye_q8[axis] = (int32_t)(eye_q8 - 256.0 * camera->origin[axis]);
+}
+
 bool camera_path_to_camera(const struct camera_path *path, size_t frame, const struct lens *lens,
                            const struct grid *grid, struct lim_camera *camera, struct error *err)
 {
     const struct viewpoint *viewpoint = &path->frames[frame];
+    const double end_units = grid->is_long ? LIM_LONG_EYE_END : EYE_END_Q8 / 256.0;
     for (int i = 0; i < 3; i++) {
-        double eye_q8 = round((viewpoint->eye_m[i] - grid->origin_m[i]) * grid->units_per_m * 256.0);
-        if (!(fabs(eye_q8) < EYE_END_Q8))
+        const double eye_units = (viewpoint->eye_m[i] - grid->origin_m[i]) * grid->units_per_m;
+        if (!(fabs(round(eye_units * 256.0)) < end_units * 256.0))
             return error_set(err, "%s:%zu: the eye is too far from the scene; %.6g m from its middle is the limit",
-                             path->name, viewpoint->line, EYE_END_Q8 / 256.0 / grid->units_per_m);
-        camera->eye_q8[i] = (int32_t)eye_q8;
+                             path->name, viewpoint->line, end_units / grid->units_per_m);
+        camera_put(camera, i, eye_units, grid);
     }
     double near_q8 = round(lens->near_m * grid->units_per_m * 256.0);
     if (!(near_q8 >= 1.0 && near_q8 <= NEAR_MAX_Q8))

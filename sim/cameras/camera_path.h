@@ -88,6 +88,9 @@ void lens_note_near(const char *model_path, const struct grid *grid);
 /* Looking straight up the picture's up is -z, straight down it is +z. */
 void viewpoint_axes(const struct viewpoint *viewpoint, struct view_axes *axes);
 
+/* Puts the eye somewhere along an axis, in the scene's units; it must be in range. */
+void camera_put(struct lim_camera *camera, int axis, double eye_units, const struct grid *grid);
+
 /* Rounds to nearest; refuses, naming the line, an eye or near plane out of the renderer's range. */
 bool camera_path_to_camera(const struct camera_path *path, size_t frame, const struct lens *lens,
                            const struct grid *grid, struct lim_camera *camera, struct error *err);

@@ -6,9 +6,11 @@
 #include "cameras/free_space.h"
 
 #include "base/vec3.h"
+#include "cameras/camera_path.h"
 #include "eye.h"
 #include "scene/plane.h"
 #include "scene/records.h"
+#include "scene/vertex_units.h"
 
 #include <float.h>
 #include <math.h>
@@ -21,8 +23,7 @@ struct ray {
 
 static void corner_at(const struct lim_scene *scene, const struct record *record, size_t corner, double out[3])
 {
-    const struct lim_vertex *vertex = &scene->vertices[record->corners[corner]];
-    out[0] = vertex->x, out[1] = vertex->y, out[2] = vertex->z;
+    vertex_units(scene, record->corners[corner], out);
 }
 
 /* n . x = d; n points to the front. */
@@ -217,16 +218,16 @@ bool free_space_is_within(const struct compiled *compiled, const double at_m[3],
 bool free_space_holds(const struct compiled *compiled, const double at_m[3])
 {
     const struct lim_scene *scene = &compiled->scene;
+    struct lim_camera camera = {.near_q8 = 1};
     struct lim_eye eye;
     double at[3];
-    int32_t at_q8[3];
     lim_index index = 0;
 
     units_of(&compiled->grid, at_m, at);
     for (int i = 0; i < 3; i++)
-        at_q8[i] = (int32_t)lround(at[i] * 256.0);
+        camera_put(&camera, i, at[i], &compiled->grid);
     if (lim_scene_is_mesh(scene)) return is_free_in_run(scene, 0, at);
-    lim_eye_set(&eye, scene, at_q8);
+    if (!lim_eye_begin(&eye, scene, &camera)) return true; /* so far out that nothing is */
     for (;;) {
         const struct lim_node *node = &scene->nodes[index];
         if (node->split.plane == LIM_NO_INDEX) return is_free_in_run(scene, node->front_run, at);

@@ -8,6 +8,7 @@
 #include "model/original.h"
 #include "model/pose.h"
 #include "scene/moving.h"
+#include "scene/vertex_units.h"
 
 #include <math.h>
 
@@ -24,8 +25,8 @@ double sampler_unit(struct sampler *sampler)
 
 static void vertex_m(const struct compiled *scene, size_t index, double out_m[3])
 {
-    const struct lim_vertex *vertex = &scene->scene.vertices[index];
-    const double units[3] = {vertex->x, vertex->y, vertex->z};
+    double units[3];
+    vertex_units(&scene->scene, (lim_index)index, units);
     for (int i = 0; i < 3; i++)
         out_m[i] = scene->grid.origin_m[i] + units[i] / scene->grid.units_per_m;
 }

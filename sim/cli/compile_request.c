@@ -25,6 +25,7 @@ enum option_code {
     OPTION_SPLITTER,
     OPTION_TREE,
     OPTION_MESH_LEAVES,
+    OPTION_COORDINATES,
     OPTION_METHOD,
     OPTION_KEEP_FACES,
     OPTION_PORTALS,
@@ -58,6 +59,7 @@ static const struct option OPTIONS[] = {
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"tree", required_argument, NULL, OPTION_TREE},
     {"mesh-leaves", required_argument, NULL, OPTION_MESH_LEAVES},
+    {"coordinates", required_argument, NULL, OPTION_COORDINATES},
     {"method", required_argument, NULL, OPTION_METHOD},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
@@ -143,6 +145,8 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return tree_choice_parse(optarg, &out->compile, err);
     case OPTION_MESH_LEAVES:
         return mesh_leaves_parse(optarg, &out->compile.mesh_leaves, err);
+    case OPTION_COORDINATES:
+        return coordinates_parse(optarg, &out->compile.coordinates, err);
     case OPTION_PORTALS:
         return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_BACKGROUND:

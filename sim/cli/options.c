@@ -40,6 +40,7 @@ enum option_code {
     OPTION_SPLITTER,
     OPTION_TREE,
     OPTION_MESH_LEAVES,
+    OPTION_COORDINATES,
     OPTION_TOLERANCE,
     OPTION_UNLIT,
     OPTION_BACKGROUND,
@@ -85,6 +86,7 @@ static const struct option OPTIONS[] = {
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"tree", required_argument, NULL, OPTION_TREE},
     {"mesh-leaves", required_argument, NULL, OPTION_MESH_LEAVES},
+    {"coordinates", required_argument, NULL, OPTION_COORDINATES},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"background", required_argument, NULL, OPTION_BACKGROUND},
@@ -264,6 +266,8 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return tree_choice_parse(text, &out->compile, err);
     case OPTION_MESH_LEAVES:
         return mesh_leaves_parse(text, &out->compile.mesh_leaves, err);
+    case OPTION_COORDINATES:
+        return coordinates_parse(text, &out->compile.coordinates, err);
     case OPTION_TOLERANCE:
         return parse_tolerance(text, &out->compile.tolerance_units, err);
     case OPTION_OUT:

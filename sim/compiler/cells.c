@@ -10,6 +10,7 @@
 #include "base/grow.h"
 #include "base/vec3.h"
 #include "scene/plane.h"
+#include "scene/vertex_units.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -34,9 +35,7 @@ static struct flat flat_of(const struct lim_scene *scene, lim_index node)
 
 static void vertex_at(const struct lim_scene *scene, lim_index index, double out[3])
 {
-    const struct lim_vertex *vertex = &scene->vertices[index];
-    const double units[3] = {vertex->x, vertex->y, vertex->z};
-    memcpy(out, units, sizeof units);
+    vertex_units(scene, index, out);
 }
 
 /* How far the corners lie off their plane, and on the wrong side of those above. */

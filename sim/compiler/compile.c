@@ -10,6 +10,7 @@
 #include "compiler/mesh_leaf_choice.h"
 #include "compiler/texture_budget.h"
 #include "core/core.h"
+#include "model/grid.h"
 #include "model/original.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
@@ -80,11 +81,36 @@ static bool compile_cleaned(const struct model *model, struct mesh *mesh, const 
     return ok;
 }
 
+static bool clean_long(const struct model *model, struct mesh *mesh, struct error *err)
+{
+    struct grid grid;
+    return grid_choose_long(model, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
+}
+
+bool compile_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
+                   struct error *err)
+{
+    const bool may_be_long = compile_options_may_be_long(options, model);
+    if (options->coordinates == COORDINATES_32) {
+        if (may_be_long) return clean_long(model, mesh, err);
+        return error_set(err, "--coordinates 32: not with what moves, textures, or methods that do not walk a tree");
+    }
+    struct error refused = {0};
+    const bool ok = mesh_clean(model, mesh, &refused);
+    if (options->coordinates == COORDINATES_16 || !may_be_long) {
+        if (!ok) *err = refused;
+        return ok;
+    }
+    if (ok && !faithful_wants_finer(mesh, options)) return true;
+    if (ok) mesh_free(mesh);
+    return clean_long(model, mesh, err);
+}
+
 bool compile_part(const struct model *model, const struct grid *grid, const struct compile_options *options,
                   struct compiled *out, struct error *err)
 {
     struct mesh mesh;
-    if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : mesh_clean(model, &mesh, err))) return false;
+    if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : compile_clean(model, options, &mesh, err))) return false;
     bool ok = compile_cleaned(model, &mesh, options, out, err);
     mesh_free(&mesh);
     return ok;

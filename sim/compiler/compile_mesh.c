@@ -23,6 +23,7 @@
 #include <string.h>
 
 static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 32768 */
+static const double LONG_GRID_END = LIM_LONG_END - 1;
 
 /* Texture arrays and, in struct lim_scene, four pointers and counts; scenes without textures have neither. */
 static size_t texture_flash_b(const struct lim_scene *scene, bool wide)
@@ -39,9 +40,9 @@ static size_t flash_b(const struct lim_scene *scene)
 {
     enum { POINTERS = 7, POINTER_B = 4, COUNTS = 7, LIMITS = 9, FIXED_B = POINTERS * POINTER_B + LIMITS * 2 };
     const bool wide = width_is_wide(scene);
-    return FIXED_B + COUNTS * width_word_b(wide) + scene->vertex_count * sizeof *scene->vertices +
-           scene->node_count * width_node_b(wide) + scene->plane_count * width_plane_b(wide) +
-           scene->exact_count * sizeof *scene->exact + scene->box_count * sizeof *scene->boxes +
+    return FIXED_B + COUNTS * width_word_b(wide) + scene->vertex_count * width_vertex_b(scene) +
+           scene->node_count * width_node_b(wide) + scene->plane_count * width_plane_b(scene, wide) +
+           scene->exact_count * sizeof *scene->exact + scene->box_count * width_box_b(scene) +
            scene->polygon_words * width_word_b(wide) +
            (scene->fractions ? scene->vertex_count * sizeof *scene->fractions : 0) + texture_flash_b(scene, wide);
 }
@@ -101,6 +102,12 @@ static bool is_exact(const struct compile_options *options)
     return options->core && options->core->profile == LIM_PROFILE_EXACT;
 }
 
+/* Units of a long scene are as fine as it wants them. */
+static bool has_fractions(const struct compilation *work)
+{
+    return is_exact(work->options) && !work->mesh->grid.is_long;
+}
+
 /* A convex solid is drawn as a whole: bounds of its parts would only take flash. Those of all of it,
  * the root's, tell the camera how far the scene reaches. */
 static void image_make(struct encoding *encoding, const struct grid *grid, struct compiled *out)
@@ -139,7 +146,7 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
     bool ok = bsp_build(&bsp, work->mesh, &work->coplanar, &plan, &work->points);
     if (!ok && deadline_check(err, "no tree of the %zu polygons", work->mesh->polygon_count))
         error_set(err, "scene too large: split into more than %d pieces", BSP_PIECES_MAX);
-    ok = ok && encode_bsp(&bsp, is_exact(work->options), work->options->wireframe, &encoding, err);
+    ok = ok && encode_bsp(&bsp, has_fractions(work), work->options->wireframe, &encoding, err);
     if (ok) {
         if (kind == TREE_NONE) encoding.depth = 0; /* for methods that sort */
         encoding.background = work->options->background;
@@ -256,11 +263,13 @@ static bool compile_best(struct compilation *work, enum tree_kind kind, struct c
 /* Corners only: points that no polygon uses may lie anywhere. */
 static bool check_grid(const struct compilation *work, struct error *err)
 {
+    const bool is_long = work->mesh->grid.is_long;
+    const double end = is_long ? LONG_GRID_END : GRID_END;
     for (size_t i = 0; i < work->mesh->corner_count; i++)
         for (int k = 0; k < 3; k++)
-            if (!(fabs(work->points.approx[work->mesh->corners[i]][k]) < GRID_END))
-                return error_set(err, "vertex %lu lies beyond the 16-bit grid",
-                                 (unsigned long)work->mesh->corners[i] + 1);
+            if (!(fabs(work->points.approx[work->mesh->corners[i]][k]) < end))
+                return error_set(err, "vertex %lu lies beyond the %d-bit grid",
+                                 (unsigned long)work->mesh->corners[i] + 1, is_long ? 32 : 16);
     return work->mesh->polygon_count > 0 || error_set(err, "no polygons");
 }
 

@@ -6,6 +6,7 @@
 #include "cameras/camera_choice.h"
 #include "core/core.h"
 #include "model/baked_light.h"
+#include "model/model.h"
 
 #include <string.h>
 
@@ -71,6 +72,25 @@ bool compile_options_may_leaf(const struct compile_options *options)
     const enum lim_method draws = compile_options_draws(options);
     if (options->core && options->core->profile == LIM_PROFILE_EXACT) return false;
     if (options->wireframe || options->framebuffer || options->portals == PORTALS_ON) return false;
+    return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
+}
+
+bool coordinates_parse(const char *text, enum coordinates *out, struct error *err)
+{
+    static const char *const names[] = {"auto", "16", "32"};
+    for (int i = 0; i <= COORDINATES_32; i++) {
+        if (strcmp(text, names[i]) != 0) continue;
+        *out = (enum coordinates)i;
+        return true;
+    }
+    return error_set(err, "--coordinates %s: no such choice; there are auto, 16 and 32", text);
+}
+
+bool compile_options_may_be_long(const struct compile_options *options, const struct model *model)
+{
+    const enum lim_method draws = compile_options_draws(options);
+    if (model->mover_count || model->picture_count || options->drop_small) return false;
+    if (options->portals == PORTALS_ON || options->mesh_leaves == MESH_LEAVES_ALL) return false;
     return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
 }
 

@@ -26,6 +26,9 @@ bool mesh_leaves_parse(const char *text, enum mesh_leaves *out, struct error *er
 
 enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 
+/* How many bits coordinates have: AUTO takes 32 where 16 would not keep what faithful.h promises. */
+enum coordinates { COORDINATES_AUTO, COORDINATES_16, COORDINATES_32 };
+
 struct compile_options {
     double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
     const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
@@ -36,6 +39,7 @@ struct compile_options {
     enum mesh_leaves mesh_leaves;
     bool leaves_open;               /* AUTO chooses although method and tree are named: the compiler named them */
     bool whole_leaf;                /* of what moves: a mesh leaf of all its polygons, or none */
+    enum coordinates coordinates;
     const char *splitter;           /* heuristic of the tree builder: splitter.h's names */
     bool keep_faces;                /* do not merge: every face keeps its own number in --ids */
     const struct core *core;        /* precision profile of the prediction and of NAME.h; NULL: fast */
@@ -66,6 +70,13 @@ bool compile_path_parse(const char *text, struct compile_options *out, struct er
 /* Whether scenes may have mesh leaves: not where the order is promised, or by methods that do not walk a tree, as
  * wireframe, into a framebuffer, or beside portals. */
 bool compile_options_may_leaf(const struct compile_options *options);
+
+/* --coordinates. */
+bool coordinates_parse(const char *text, enum coordinates *out, struct error *err);
+
+/* Whether a scene of this model may be long (firmware/long.h): what asks for more than static faces of one colour by a
+ * method that walks a tree may not. */
+bool compile_options_may_be_long(const struct compile_options *options, const struct model *model);
 
 /* What options own: after the scenes, which may lead into it, whether they were parsed or not. */
 void compile_options_free(struct compile_options *options);

@@ -12,7 +12,9 @@
 #include "compiler/outline.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* What encoding needs to remember on the way. */
 struct encoder {
@@ -22,6 +24,7 @@ struct encoder {
     struct grid_point *snapped; /* the exact points, rounded */
     struct vertex_encoder vertices;
     struct map planes;           /* group -> index */
+    uint32_t *member;            /* of each group: a polygon in it */
     struct outline outline;      /* the piece at hand */
     uint16_t flags;              /* of its records */
     struct vertex_encoder *leaf; /* of the mesh leaf at hand, whose vertices are its own; NULL: there is none */
@@ -183,6 +186,57 @@ static struct lim_plane small_record(const struct plane *plane)
     return plane_record(n, plane->d * factor);
 }
 
+/* n . v of a vertex. */
+static int64_t dot_long(const struct plane *plane, const struct lim_long_vertex *vertex)
+{
+    return plane->n[0] * vertex->at[0] + plane->n[1] * vertex->at[1] + plane->n[2] * vertex->at[2];
+}
+
+/* A vertex on the plane or as near as the grid has one: where the foot of `near` on it is rounded to. */
+static uint32_t vertex_on_plane(struct encoder *work, const struct plane *plane, const double near[3])
+{
+    struct grid_point point;
+    const double distance = plane_distance(plane, near);
+    for (int i = 0; i < 3; i++)
+        point.q8[i] = (int64_t)llround(near[i] - distance * (double)plane->n[i] / plane->length) * 256;
+    return vertex_encode(&work->vertices, point);
+}
+
+static void long_plane_add(struct encoder *work, const struct plane *plane, const double near[3])
+{
+    struct encoding *out = work->out;
+    const uint32_t vertex = vertex_on_plane(work, plane, near);
+    const int64_t rest = plane->d - dot_long(plane, &out->long_vertices[vertex]);
+    assert(rest >= INT32_MIN && rest <= INT32_MAX); /* 3/2 units at most, of 2^30 */
+    out->long_planes = grow(out->long_planes, out->plane_count, &out->plane_capacity, sizeof *out->long_planes);
+    out->long_planes[out->plane_count++] =
+        (struct lim_long_plane){{(int32_t)plane->n[0], (int32_t)plane->n[1], (int32_t)plane->n[2]}, (int32_t)rest, vertex};
+}
+
+/* Of a long scene: a point of it, near what lies on it. */
+static void point_of_group(const struct encoder *work, uint32_t group, double out[3])
+{
+    const struct bsp *bsp = work->bsp;
+    const struct mesh *mesh = bsp->mesh;
+    memset(out, 0, 3 * sizeof *out);
+    if (group >= bsp->coplanar->count) return; /* a cut: of no polygon */
+    memcpy(out, bsp->edges.points->approx[mesh->corners[mesh->polygons[work->member[group]].first]], 3 * sizeof *out);
+}
+
+static struct lim_plane_ref long_plane_ref(struct encoder *work, uint32_t group)
+{
+    const struct plane *plane = bsp_plane(work->bsp, group);
+    const bool is_axis = plane->kind <= PLANE_Z;
+    double near[3];
+    point_of_group(work, group, near);
+    if (is_axis)
+        return (struct lim_plane_ref){LIM_PLANE_X + (lim_index)plane->kind,
+                                      (lim_offset)vertex_on_plane(work, plane, near)};
+    const uint32_t index = *map_at(&work->planes, group, (uint32_t)work->out->plane_count);
+    if (index == work->out->plane_count) long_plane_add(work, plane, near);
+    return (struct lim_plane_ref){index, 0};
+}
+
 static void plane_add(struct encoding *out, const struct plane *plane)
 {
     out->planes = grow(out->planes, out->plane_count, &out->plane_capacity, sizeof *out->planes);
@@ -195,6 +249,7 @@ static void plane_add(struct encoding *out, const struct plane *plane)
 static struct lim_plane_ref plane_ref(struct encoder *work, uint32_t group)
 {
     const struct plane *plane = bsp_plane(work->bsp, group);
+    if (work->out->is_long) return long_plane_ref(work, group);
     if (plane->kind <= PLANE_Z)
         return (struct lim_plane_ref){LIM_PLANE_X + (lim_index)plane->kind, (lim_offset)plane->d};
     uint32_t index = *map_at(&work->planes, group, (uint32_t)work->out->plane_count);
@@ -205,6 +260,7 @@ static struct lim_plane_ref plane_ref(struct encoder *work, uint32_t group)
 static struct texture_plane texture_plane_of(const struct encoder *work, struct lim_plane_ref ref)
 {
     struct texture_plane out = {.ref = ref};
+    if (work->out->is_long) return out; /* which has no textures */
     if (ref.plane >= LIM_PLANE_X) {
         out.n[ref.plane - LIM_PLANE_X] = LIM_MAPPING_UPRIGHT_N;
         out.d = LIM_MAPPING_UPRIGHT_N * (double)ref.offset;
@@ -366,7 +422,10 @@ bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, str
     const struct exact_points *points = bsp->edges.points;
     struct encoder work = {
         .bsp = bsp, .out = out, .with_edges = with_edges, .vertices = {.out = out, .with_fractions = with_fractions}};
-    *out = (struct encoding){0};
+    *out = (struct encoding){.is_long = bsp->mesh->grid.is_long};
+    work.member = grow_zeroed(bsp->coplanar->count + 1, sizeof *work.member);
+    for (uint32_t i = (uint32_t)bsp->mesh->polygon_count; i-- > 0;)
+        work.member[bsp->coplanar->group[i]] = i;
     texture_encoder_init(&work.textures, bsp->mesh, &out->textures);
     work.snapped = grow_zeroed(points->count, sizeof *work.snapped);
     for (uint32_t i = 0; i < points->count; i++)
@@ -380,6 +439,7 @@ bool encode_bsp(const struct bsp *bsp, bool with_fractions, bool with_edges, str
     if (ok) encode_boxes(out);
     free(heirs);
     free(work.snapped);
+    free(work.member);
     outline_free(&work.outline);
     vertex_encoder_free(&work.vertices);
     map_free(&work.planes);

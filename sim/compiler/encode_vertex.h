@@ -11,8 +11,9 @@
 struct vertex_encoder {
     struct encoding *out;
     bool with_fractions; /* of units; else points lie on the grid */
-    struct map columns;  /* x and y -> number */
-    struct map indices;  /* number and z -> index */
+    struct map slices;   /* x -> number */
+    struct map columns;  /* slice's number and y -> number */
+    struct map indices;  /* column's number and z -> index */
 };
 
 /* The index of a point, entered if new. */

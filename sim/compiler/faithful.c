@@ -228,6 +228,17 @@ uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *o
     return faults;
 }
 
+bool faithful_wants_finer(const struct mesh *mesh, const struct compile_options *options)
+{
+    if (!mesh->original) return false;
+    uint8_t *faults = faithful_judge(mesh, options, NULL);
+    bool any = false;
+    for (size_t i = 0; i < mesh->original->face_count && !any; i++)
+        any = faults[i] != FAITHFUL_KEPT;
+    free(faults);
+    return any;
+}
+
 /* Refusing ----------------------------------------------------------------------------------- */
 
 /* Whether fractions of units would do: not for what the near plane cuts away, in any precision. A plane that is not

@@ -28,6 +28,9 @@ enum faithful_fault { FAITHFUL_KEPT, FAITHFUL_CUT, FAITHFUL_MOVED, FAITHFUL_VANI
  * what options->core rounds to. */
 uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene);
 
+/* Whether rounding alone breaks the promise of any face. A mesh that knows no original is not judged. */
+bool faithful_wants_finer(const struct mesh *mesh, const struct compile_options *options);
+
 /* tree_choice_compile(), and then: refuses, with faces and sizes named, a scene that does not keep the promise; or,
  * with options->drop_small, leaves those faces out, and what small faces they are joined to, and says so in
  * report.left_out. A mesh that knows no original is not judged. */

@@ -45,7 +45,7 @@ static bool is_open(const struct compile_options *options, const struct compiled
     const struct compile_report *report = &scene->report;
     if (!options->choose_order || options->method || options->tree != TREE_AUTO) return false;
     if (options->core && options->core->profile == LIM_PROFILE_EXACT) return false;
-    if (options->framebuffer || report->left_out || has_sky(&scene->scene)) return false;
+    if (options->framebuffer || report->left_out || has_sky(&scene->scene) || scene->grid.is_long) return false;
     if (order_needs_nearest(options, &scene->scene) || options->portals == PORTALS_ON || scene->scene.place_count)
         return false;
     return !isnan(report->instructions);

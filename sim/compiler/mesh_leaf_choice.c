@@ -24,7 +24,7 @@ static bool is_open(const struct compile_options *options, const struct compiled
 {
     const bool is_named = options->method || options->tree != TREE_AUTO;
     if (options->mesh_leaves != MESH_LEAVES_AUTO || !options->choose_order) return false;
-    if ((is_named && !options->leaves_open) || !compile_options_may_leaf(options)) return false;
+    if ((is_named && !options->leaves_open) || !compile_options_may_leaf(options) || scene->grid.is_long) return false;
     if (scene->report.left_out || scene->scene.place_count) return false;
     return !isnan(scene->report.instructions);
 }

@@ -54,7 +54,7 @@ static bool object_grid(const struct grid *scene, const struct model *part, stru
     for (size_t i = 0; i < part->point_count; i++)
         for (int k = 0; k < 3; k++)
             farthest_m = fmax(farthest_m, fabs(part->points[i][k]));
-    *grid = (struct grid){{0, 0, 0}, scene->units_per_m};
+    *grid = (struct grid){.units_per_m = scene->units_per_m};
     if (!(farthest_m * grid->units_per_m <= GRID_END)) return false;
     for (*finer_bits = 0; *finer_bits < FINER_BITS_MAX && farthest_m * grid->units_per_m * 2 <= GRID_END; ++*finer_bits)
         grid->units_per_m *= 2;

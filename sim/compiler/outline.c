@@ -74,8 +74,8 @@ static double area_square(const struct outline *outline, size_t from, size_t cou
         struct grid_point q = outline->corners[(from + i + 1) % outline->count];
         double a[3], b[3];
         for (int k = 0; k < 3; k++) {
-            a[k] = p.q8[k] - o.q8[k];
-            b[k] = q.q8[k] - o.q8[k];
+            a[k] = (double)(p.q8[k] - o.q8[k]);
+            b[k] = (double)(q.q8[k] - o.q8[k]);
         }
         for (int k = 0; k < 3; k++)
             sum[k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];

@@ -27,7 +27,7 @@ struct cutting {
 static void to_vector(struct grid_point point, double out[3])
 {
     for (int k = 0; k < 3; k++)
-        out[k] = point.q8[k];
+        out[k] = (double)point.q8[k];
 }
 
 /* Twice the area as a vector. Differences have 25 bits, so this is exact. */

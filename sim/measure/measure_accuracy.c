@@ -124,29 +124,29 @@ static void measure_vertices(struct measured *measured, const struct measure_sou
 
 __extension__ typedef __int128 wide;
 
-static int true_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3])
+static int true_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const struct lim_camera *camera)
 {
     int64_t n[3], d;
     plane_exact(scene, ref, n, &d);
     wide value = -(wide)d * 256;
     for (int i = 0; i < 3; i++)
-        value += (wide)n[i] * eye_q8[i];
+        value += (wide)n[i] * (camera->origin[i] * INT64_C(256) + camera->eye_q8[i]);
     return (value > 0) - (value < 0);
 }
 
 static void measure_side(const struct measure_candidate *candidate, const struct lim_plane_ref *ref,
-                         const int32_t eye_q8[3], struct accuracy *out)
+                         const struct lim_camera *camera, struct accuracy *out)
 {
     const struct lim_scene *scene = &candidate->scene->scene;
     out->sides++;
-    out->sides_wrong += candidate->core->eye_side(scene, ref, eye_q8) != true_side(scene, ref, eye_q8);
+    out->sides_wrong += candidate->core->eye_side(scene, ref, camera) != true_side(scene, ref, camera);
 }
 
 static void measure_leaf_sides(const struct measure_candidate *candidate, const lim_index *record,
-                               const int32_t eye_q8[3], struct accuracy *out)
+                               const struct lim_camera *camera, struct accuracy *out)
 {
     for (;; record += lim_record_words(*record)) {
-        measure_side(candidate, lim_record_plane(record), eye_q8, out);
+        measure_side(candidate, lim_record_plane(record), camera, out);
         if (*record & LIM_POLYGON_LAST) return;
     }
 }
@@ -159,9 +159,9 @@ static void measure_sides(const struct measure_candidate *candidate, const struc
         const struct lim_node *node = &scene->nodes[i];
         if (node->split.plane == LIM_NO_INDEX && lim_is_mesh_leaf(&scene->polygons[node->front_run])) continue;
         if (node->split.plane == LIM_NO_INDEX)
-            measure_leaf_sides(candidate, &scene->polygons[node->front_run], camera->eye_q8, out);
+            measure_leaf_sides(candidate, &scene->polygons[node->front_run], camera, out);
         else
-            measure_side(candidate, &node->split, camera->eye_q8, out);
+            measure_side(candidate, &node->split, camera, out);
     }
 }
 

@@ -39,6 +39,7 @@ enum option_code {
     OPTION_PORTALS,
     OPTION_TREE,
     OPTION_MESH_LEAVES,
+    OPTION_COORDINATES,
     OPTION_SPLITTER,
     OPTION_FRAMES,
     OPTION_COST_FRAMES,
@@ -74,6 +75,7 @@ static const struct option OPTIONS[] = {
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"tree", required_argument, NULL, OPTION_TREE},
     {"mesh-leaves", required_argument, NULL, OPTION_MESH_LEAVES},
+    {"coordinates", required_argument, NULL, OPTION_COORDINATES},
     {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"frames", required_argument, NULL, OPTION_FRAMES},
     {"cost-frames", required_argument, NULL, OPTION_COST_FRAMES},
@@ -98,6 +100,7 @@ static bool has_option(enum measure_of of, int code)
     case OPTION_METHOD:
     case OPTION_TREE:
     case OPTION_MESH_LEAVES:
+    case OPTION_COORDINATES:
     case OPTION_PORTALS:
         return of != MEASURE_METHODS;
     case OPTION_SUB_BITS:
@@ -270,6 +273,8 @@ static bool parse_option(int code, char **argv, struct measure_request *out, str
         return tree_choice_parse(optarg, &out->compile, err);
     case OPTION_MESH_LEAVES:
         return mesh_leaves_parse(optarg, &out->compile.mesh_leaves, err);
+    case OPTION_COORDINATES:
+        return coordinates_parse(optarg, &out->compile.coordinates, err);
     case OPTION_SPLITTER:
         out->compile.splitter = optarg;
         return true;

@@ -21,18 +21,20 @@
 #include "readers/model_read.h"
 #include "readers/source.h"
 #include "scene/moving.h"
+#include "scene/vertex_units.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The point of the grid that is nearest to a place, units, as a key; halves go up. */
+/* The point of the grid that is nearest to a place, units, as a key; halves go up. Points of a long scene may share one:
+ * who looks up compares distances. */
 static uint64_t grid_key(const double units[3])
 {
     uint64_t key = 0;
     for (int i = 0; i < 3; i++)
-        key = key << 16 | (uint16_t)(int32_t)floor(units[i] + 0.5);
+        key = (key << 16 | key >> 48) ^ (uint32_t)(int32_t)floor(units[i] + 0.5);
     return key;
 }
 
@@ -80,7 +82,7 @@ static bool read_mesh(struct measure_source *source, const struct model *model, 
 {
     struct mesh *mesh = &source->mesh;
     const struct model view = source_view(model);
-    if (!mesh_clean(model, mesh, err)) return false;
+    if (!compile_clean(model, options, mesh, err)) return false;
     if (!mesh_clean_fine(&view, &mesh->grid, &source->fine, err) ||
         !reference_init(&source->reference, &source->fine, w_px, h_px, err) ||
         !(options->keep_faces || mesh_merge(mesh, err)) || !mesh_insert_t_vertices(mesh, err))
@@ -121,12 +123,9 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
     return ok;
 }
 
-static void vertex_units(const struct lim_scene *scene, lim_index vertex, double out[3])
+static void vertex_drawn_units(const struct lim_scene *scene, lim_index vertex, double out[3])
 {
-    const struct lim_vertex *at = &scene->vertices[vertex];
-    out[0] = at->x;
-    out[1] = at->y;
-    out[2] = at->z;
+    vertex_units(scene, vertex, out);
     if (!scene->fractions) return;
     const struct lim_fraction *fraction = &scene->fractions[vertex];
     out[0] += fraction->x_q8 / 256.0;
@@ -156,7 +155,7 @@ bool measure_source_point(const struct measure_source *source, const struct lim_
     const struct grid *grid = &source->mesh.grid;
     const double reach = scene->fractions ? 1.0 / 512.0 : 0.0;
     double units[3], vertex_m[3], best2 = INFINITY;
-    vertex_units(scene, vertex, units);
+    vertex_drawn_units(scene, vertex, units);
     for (int i = 0; i < 3; i++)
         vertex_m[i] = grid->origin_m[i] + units[i] / grid->units_per_m;
     for (int sides = 0; sides < 8; sides++) {

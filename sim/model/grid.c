@@ -9,6 +9,8 @@
 #include <stdlib.h>
 
 static const double GRID_SPAN_UNITS = 65534; /* -32767 .. 32767 */
+static const double LONG_SPAN_UNITS = 1073741820; /* 2^30, less what rounding adds */
+static const double UNITS_A_FACE = 1024;          /* of the smallest one, on a long grid */
 static const double SQUEEZE = 1000;          /* leaves the rest of the model 65 units or less */
 static const double FLAT_UNITS = 0.5;        /* what rounding to the grid does anyway */
 
@@ -204,6 +206,41 @@ bool grid_choose(const struct model *model, struct grid *grid, struct error *err
     if (ok) choose_scale(places, count, &all, longest_m, model->lattice_m, grid);
     free(places);
     return ok;
+}
+
+/* The least that any face spans along the axis that it is longest along; faces at one place have none. */
+static double least_face_m(const struct model *model)
+{
+    double least_m = INFINITY;
+    for (size_t i = 0; i < model->face_count; i++) {
+        double longest_m = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double low_m = INFINITY, high_m = -INFINITY;
+            for (uint32_t k = 0; k < model->faces[i].count; k++) {
+                const double at_m = model->points[model->corners[model->faces[i].first + k]][axis];
+                low_m = fmin(low_m, at_m);
+                high_m = fmax(high_m, at_m);
+            }
+            longest_m = fmax(longest_m, high_m - low_m);
+        }
+        if (longest_m > 0) least_m = fmin(least_m, longest_m);
+    }
+    return least_m;
+}
+
+bool grid_choose_long(const struct model *model, struct grid *grid, struct error *err)
+{
+    struct place *places = grow_zeroed(model->corner_count, sizeof *places);
+    size_t count = find_places(model, places);
+    const struct bounds all = bounds_of(places, count);
+    const double longest_m = longest_side(&all);
+    free(places);
+    if (!(longest_m > 0)) return error_set(err, "no face has an area: all corners are at one place");
+    *grid = (struct grid){.is_long = true};
+    for (int axis = 0; axis < 3; axis++)
+        grid->origin_m[axis] = all.low[axis] + (all.high[axis] - all.low[axis]) / 2;
+    grid->units_per_m = fmin(LONG_SPAN_UNITS / longest_m, UNITS_A_FACE / least_face_m(model));
+    return true;
 }
 
 double grid_weld_m(const struct grid *grid)

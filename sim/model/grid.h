@@ -12,6 +12,10 @@
  * corners squeeze the rest: without them, 1 in 100, it would be 1000 times smaller. */
 bool grid_choose(const struct model *model, struct grid *grid, struct error *err);
 
+/* A grid of many scales, for a long scene: units are a small part of what the smallest face takes, and as large as they
+ * have to be for the whole scene to span 2^30 of them. */
+bool grid_choose_long(const struct model *model, struct grid *grid, struct error *err);
+
 /* Points nearer than this are one: 1/16 unit, 2^-20 of the scene's longest side. A float32 importer
  * is 16 times finer. */
 double grid_weld_m(const struct grid *grid);

@@ -13,6 +13,7 @@
 struct grid {
     double origin_m[3];
     double units_per_m;
+    bool is_long; /* coordinates have 32 bits: firmware/long.h */
 };
 
 struct mesh_polygon {

@@ -7,7 +7,9 @@
 #include "base/grow.h"
 #include "scene/encoding.h"
 #include "scene/records.h"
+#include "scene/vertex_units.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 static void bounds_extend(struct bounds *bounds, const int low[3], const int high[3])
@@ -21,8 +23,9 @@ static void bounds_extend(struct bounds *bounds, const int low[3], const int hig
 /* A vertex with a fraction lies between two units. */
 static void bounds_add_vertex(const struct lim_scene *scene, lim_index index, struct bounds *bounds)
 {
-    const struct lim_vertex *vertex = &scene->vertices[index];
-    int low[3] = {vertex->x, vertex->y, vertex->z}, high[3] = {vertex->x, vertex->y, vertex->z};
+    double units[3];
+    vertex_units(scene, index, units);
+    int low[3] = {(int)units[0], (int)units[1], (int)units[2]}, high[3] = {low[0], low[1], low[2]};
     if (scene->fractions) {
         const struct lim_fraction *fraction = &scene->fractions[index];
         const int rest_q8[3] = {fraction->x_q8, fraction->y_q8, fraction->z_q8};
@@ -49,7 +52,7 @@ static void bounds_add_run(const struct lim_scene *scene, lim_index run, struct 
 
 static struct bounds no_bounds(void)
 {
-    return (struct bounds){.low = {INT16_MAX, INT16_MAX, INT16_MAX}, .high = {INT16_MIN, INT16_MIN, INT16_MIN}};
+    return (struct bounds){.low = {INT_MAX, INT_MAX, INT_MAX}, .high = {INT_MIN, INT_MIN, INT_MIN}};
 }
 
 static struct bounds bounds_of(const struct lim_scene *scene, const struct bounds *all, size_t index)
@@ -83,17 +86,42 @@ struct bounds bounds_of_mesh(const struct lim_scene *scene)
     return bounds;
 }
 
-/* The centre is rounded down, so the upper half is the larger one: at most 32768. */
+/* Rounded down, so the upper half is the larger one: at most 32768. */
+static int centre_of(const struct bounds *bounds, int axis)
+{
+    const int sum = bounds->low[axis] + bounds->high[axis];
+    return (sum - (sum < 0 && sum % 2 != 0)) / 2;
+}
+
+/* Empty bounds are found in scenes that are damaged alone. */
 struct lim_box bounds_box(const struct bounds *bounds)
 {
     struct lim_box box;
     for (int k = 0; k < 3; k++) {
-        int sum = bounds->low[k] + bounds->high[k];
-        int centre = (sum - (sum < 0 && sum % 2 != 0)) / 2;
+        const int centre = centre_of(bounds, k);
         box.centre[k] = (int16_t)centre;
         box.half[k] = (uint16_t)(bounds->high[k] - centre);
     }
     return box;
+}
+
+struct lim_long_box bounds_long_box(const struct bounds *bounds)
+{
+    struct lim_long_box box;
+    for (int k = 0; k < 3; k++) {
+        box.centre[k] = centre_of(bounds, k);
+        box.half[k] = (uint32_t)(bounds->high[k] - box.centre[k]);
+    }
+    return box;
+}
+
+bool bounds_fit_long(const struct bounds *bounds, const struct lim_long_box *box)
+{
+    for (int k = 0; k < 3; k++)
+        if (bounds->low[k] < box->centre[k] - (int64_t)box->half[k] ||
+            bounds->high[k] > box->centre[k] + (int64_t)box->half[k])
+            return false;
+    return true;
 }
 
 bool bounds_fit(const struct bounds *bounds, const struct lim_box *box)
@@ -121,7 +149,9 @@ static lim_index *mesh_leaf_words(const struct encoding *encoding, size_t node)
 
 void encode_boxes(struct encoding *encoding)
 {
+    const struct lim_long of_32_bits = {.vertices = encoding->long_vertices};
     const struct lim_scene scene = {.vertices = encoding->vertices,
+                                    .of_32_bits = {encoding->is_long ? &of_32_bits : NULL},
                                     .fractions = encoding->fractions,
                                     .nodes = encoding->nodes,
                                     .polygons = encoding->words,
@@ -133,14 +163,20 @@ void encode_boxes(struct encoding *encoding)
         return;
     }
     struct bounds *all = grow_zeroed(encoding->node_count, sizeof *all);
-    encoding->boxes = grow_zeroed(encoding->node_count, sizeof *encoding->boxes);
+    if (encoding->is_long)
+        encoding->long_boxes = grow_zeroed(encoding->node_count, sizeof *encoding->long_boxes);
+    else
+        encoding->boxes = grow_zeroed(encoding->node_count, sizeof *encoding->boxes);
     bounds_of_subtrees(&scene, all);
     for (size_t i = 0; i < encoding->node_count; i++) {
         lim_index *words = mesh_leaf_words(encoding, i);
         if (all[i].polygons < SUBTREE_BOX_POLYGONS && !words) continue;
         encoding->nodes[i].box = (lim_index)encoding->box_count;
         if (words) words[LIM_MESH_LEAF_BOX] = encoding->nodes[i].box;
-        encoding->boxes[encoding->box_count++] = bounds_box(&all[i]);
+        if (encoding->is_long)
+            encoding->long_boxes[encoding->box_count++] = bounds_long_box(&all[i]);
+        else
+            encoding->boxes[encoding->box_count++] = bounds_box(&all[i]);
     }
     free(all);
 }

@@ -5,7 +5,7 @@
 #ifndef SIM_BOUNDS_H
 #define SIM_BOUNDS_H
 
-#include "scene.h"
+#include "long.h"
 
 struct bounds {
     int low[3], high[3]; /* units, fractions included; empty: low > high */
@@ -21,5 +21,9 @@ struct bounds bounds_of_mesh(const struct lim_scene *scene);
 /* The least box, and whether a box is large enough. */
 struct lim_box bounds_box(const struct bounds *bounds);
 bool bounds_fit(const struct bounds *bounds, const struct lim_box *box);
+
+/* The same of a long scene. */
+struct lim_long_box bounds_long_box(const struct bounds *bounds);
+bool bounds_fit_long(const struct bounds *bounds, const struct lim_long_box *box);
 
 #endif

@@ -3,6 +3,7 @@
  * A scene as C: const arrays for flash in NAME.c. */
 #include "base/c_name.h"
 #include "colour.h"
+#include "long.h"
 #include "scene/records.h"
 #include "scene/scene_files.h"
 
@@ -37,14 +38,24 @@ static void write_index(FILE *file, lim_index index)
         fprintf(file, ", %lu", (unsigned long)index);
 }
 
-static void write_plane_index(FILE *file, lim_index plane)
+static void write_plane_index(FILE *file, const struct lim_scene *scene, lim_index plane)
 {
+    const lim_index size = lim_scene_long(scene) ? 1 : LIM_PLANE_WORDS;
     if (plane == LIM_NO_INDEX)
         fputs("NONE, ", file);
     else if (plane >= LIM_PLANE_X)
         fprintf(file, "LIM_PLANE_%c, ", "XYZ"[plane - LIM_PLANE_X]);
     else
-        fprintf(file, "AT(%lu), ", (unsigned long)(plane / LIM_PLANE_WORDS));
+        fprintf(file, "AT(%lu), ", (unsigned long)(plane / size));
+}
+
+/* Of a long scene an index, which may take the sign's bit where indices have 16. */
+static void write_offset(FILE *file, lim_offset offset)
+{
+    if (offset > INT16_MAX)
+        fprintf(file, "(lim_offset)%luu", (unsigned long)offset);
+    else
+        fprintf(file, "%ld", (long)offset);
 }
 
 static void write_vertices(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
@@ -55,6 +66,36 @@ static void write_vertices(FILE *file, const struct lim_scene *scene, const stru
         fprintf(file, "%s{%d, %d, %d},", i % 4 ? " " : "\n    ", vertex->x, vertex->y, vertex->z);
     }
     end_array(file);
+}
+
+/* Of a long scene in the place of vertices, planes and boxes. */
+static void write_long(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    const struct lim_long *all = lim_scene_long(scene);
+    begin_array(file, prefix, "struct lim_long_vertex", "vertices", scene->vertex_count);
+    for (size_t i = 0; i < scene->vertex_count; i++)
+        fprintf(file, "%s{{%ld, %ld, %ld}},", i % 2 ? " " : "\n    ", (long)all->vertices[i].at[0],
+                (long)all->vertices[i].at[1], (long)all->vertices[i].at[2]);
+    end_array(file);
+    if (scene->plane_count) begin_array(file, prefix, "struct lim_long_plane", "planes", scene->plane_count);
+    for (size_t i = 0; i < scene->plane_count; i++) {
+        const struct lim_long_plane *plane = &all->planes[i];
+        fprintf(file, "\n    {{%ld, %ld, %ld}, %ld, %lu},", (long)plane->n[0], (long)plane->n[1], (long)plane->n[2],
+                (long)plane->rest, (unsigned long)plane->vertex);
+    }
+    if (scene->plane_count) end_array(file);
+    if (scene->box_count) begin_array(file, prefix, "struct lim_long_box", "boxes", scene->box_count);
+    for (size_t i = 0; i < scene->box_count; i++) {
+        const struct lim_long_box *box = &all->boxes[i];
+        fprintf(file, "\n    {{%ld, %ld, %ld}, {%luu, %luu, %luu}},", (long)box->centre[0], (long)box->centre[1],
+                (long)box->centre[2], (unsigned long)box->half[0], (unsigned long)box->half[1],
+                (unsigned long)box->half[2]);
+    }
+    if (scene->box_count) end_array(file);
+    fprintf(file, "\nstatic const struct lim_long %s_of_32_bits = {", prefix->symbol);
+    fprintf(file, "%s_vertices, ", prefix->symbol);
+    fprintf(file, scene->plane_count ? "%s_planes, " : "NULL, ", prefix->symbol);
+    fprintf(file, scene->box_count ? "%s_boxes};\n" : "NULL};\n", prefix->symbol);
 }
 
 static void write_fractions(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
@@ -73,8 +114,9 @@ static void write_nodes(FILE *file, const struct lim_scene *scene, const struct 
     for (size_t i = 0; i < scene->node_count; i++) {
         const struct lim_node *node = &scene->nodes[i];
         fprintf(file, "%s{{", i % 2 ? " " : "\n    ");
-        write_plane_index(file, node->split.plane);
-        fprintf(file, "%d}", (int)node->split.offset);
+        write_plane_index(file, scene, node->split.plane);
+        write_offset(file, node->split.offset);
+        fputs("}", file);
         write_index(file, node->front);
         write_index(file, node->back);
         write_index(file, node->front_run);
@@ -134,7 +176,7 @@ static void write_places(FILE *file, const struct lim_scene *scene, const struct
 }
 
 /* In a leaf a record names its plane. */
-static void write_record(FILE *file, const lim_index *record)
+static void write_record(FILE *file, const struct lim_scene *scene, const lim_index *record)
 {
     const size_t plane_at =
         record[0] & LIM_POLYGON_PLANE ? LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT) : 0;
@@ -142,7 +184,7 @@ static void write_record(FILE *file, const lim_index *record)
     for (size_t i = 0; i < lim_record_words(record[0]); i++) {
         fputc(' ', file);
         if (i && i == plane_at) {
-            write_plane_index(file, record[i++]);
+            write_plane_index(file, scene, record[i++]);
             fprintf(file, "(lim_index)%ld,", (long)(lim_offset)record[i]);
         } else
             fprintf(file, "%lu,", (unsigned long)record[i]);
@@ -163,7 +205,7 @@ static void write_polygons(FILE *file, const struct lim_scene *scene, const stru
         if (lim_scene_is_mesh(scene))
             write_triangle(file, &scene->polygons[i], i % NUMBERS_A_LINE == 0);
         else
-            write_record(file, &scene->polygons[i]);
+            write_record(file, scene, &scene->polygons[i]);
     end_array(file);
 }
 
@@ -177,7 +219,7 @@ static void write_mappings(FILE *file, const struct lim_scene *scene, const stru
         if (m->scale & LIM_MAPPING_UPRIGHT)
             fprintf(file, "(lim_index)(%d), ", (int)(lim_offset)m->plane);
         else
-            write_plane_index(file, m->plane);
+            write_plane_index(file, scene, m->plane);
         fprintf(file, "%d, %u, %u),", m->level_q3, m->scale, m->texture);
     }
     end_array(file);
@@ -269,11 +311,13 @@ static void write_scene(FILE *file, const struct lim_scene *scene, const struct 
 {
     const struct lim_limits *limits = &scene->limits;
     fprintf(file, "\nconst struct lim_scene %s_scene = {\n", prefix->symbol);
-    write_pointer(file, prefix, "vertices", scene->vertex_count);
+    const bool is_long = lim_scene_long(scene) != NULL;
+    if (is_long) fprintf(file, "    .of_32_bits = {&%s_of_32_bits},\n", prefix->symbol);
+    write_pointer(file, prefix, "vertices", is_long ? 0 : scene->vertex_count);
     write_pointer(file, prefix, "nodes", scene->node_count);
-    write_pointer(file, prefix, "planes", scene->plane_count);
+    write_pointer(file, prefix, "planes", is_long ? 0 : scene->plane_count);
     write_pointer(file, prefix, "exact", scene->exact_count);
-    write_pointer(file, prefix, "boxes", scene->box_count);
+    write_pointer(file, prefix, "boxes", is_long ? 0 : scene->box_count);
     write_pointer(file, prefix, "polygons", scene->polygon_words);
     write_pointer(file, prefix, "fractions", scene->fractions ? scene->vertex_count : 0);
     if (scene->place_count) write_portals(file, scene, prefix);
@@ -306,13 +350,18 @@ static void write_source(FILE *file, const struct named_scene *named, const stru
         file,
         "_Static_assert(LIM_SCENE_FORMAT == %d, \"compile this scene again: it was written for another version\");\n",
         LIM_SCENE_FORMAT);
-    fputs("#define NONE LIM_NO_INDEX\n#define AT(plane) ((plane)*LIM_PLANE_WORDS)\n", file);
-    write_vertices(file, arrays, prefix);
+    const bool is_long = lim_scene_long(arrays) != NULL;
+    fputs("#define NONE LIM_NO_INDEX\n", file);
+    fputs(is_long ? "#define AT(plane) (plane)\n" : "#define AT(plane) ((plane)*LIM_PLANE_WORDS)\n", file);
+    if (is_long)
+        write_long(file, arrays, prefix);
+    else
+        write_vertices(file, arrays, prefix);
     if (arrays->fractions) write_fractions(file, arrays, prefix);
     if (arrays->node_count) write_nodes(file, arrays, prefix);
-    if (arrays->plane_count) write_planes(file, arrays, prefix);
+    if (arrays->plane_count && !is_long) write_planes(file, arrays, prefix);
     if (arrays->exact_count) write_exact(file, arrays, prefix);
-    if (arrays->box_count) write_boxes(file, arrays, prefix);
+    if (arrays->box_count && !is_long) write_boxes(file, arrays, prefix);
     write_polygons(file, arrays, prefix);
     if (arrays->texture_count) write_textures(file, named, prefix);
     if (arrays->place_count) {

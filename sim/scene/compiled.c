@@ -14,6 +14,7 @@ void compiled_free(struct compiled *scene)
     free(scene->moving);
     original_free(scene->original);
     free(scene->image);
+    free(scene->of_32_bits);
     free(scene->report.notes);
     *scene = (struct compiled){0};
 }

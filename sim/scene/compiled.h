@@ -6,6 +6,7 @@
 #define SIM_COMPILED_H
 
 #include "base/error.h"
+#include "long.h"
 #include "model/mesh.h"
 #include "scene.h"
 #include "scene/method.h"
@@ -146,7 +147,8 @@ struct moving;
 struct original;
 
 struct compiled {
-    struct lim_scene scene; /* its pointers lead into `image` */
+    struct lim_scene scene;      /* its pointers lead into `image` */
+    struct lim_long *of_32_bits; /* those of a long scene, owned; else NULL */
     struct moving *moving;  /* what moves in it, owned; NULL: nothing, or it is kept elsewhere */
     struct grid grid;
     uint32_t *faces;           /* polygon_count entries: face number (1-based) of each record, in order */

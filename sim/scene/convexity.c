@@ -3,6 +3,8 @@
  * Decided on the integers that the firmware has: |n . v - d| < 3 * 2^45 + 2^48 fits 64 bits. */
 #include "scene/convexity.h"
 
+#include "long.h"
+
 #include "scene/plane.h"
 #include "scene/records.h"
 
@@ -36,7 +38,7 @@ static bool all_behind(const struct lim_scene *scene, lim_index i)
 /* Its method paints a solid's faces over its background: they must hide it. */
 bool scene_is_convex(const struct lim_scene *scene)
 {
-    if (lim_scene_is_mesh(scene) || records_with(scene, LIM_POLYGON_ALPHA)) return false;
+    if (lim_scene_is_mesh(scene) || lim_scene_long(scene) || records_with(scene, LIM_POLYGON_ALPHA)) return false;
     for (lim_index i = 0; i < scene->node_count; i++)
         if (!link_is_right(scene, i)) return false;
     for (lim_index i = 0; i < scene->node_count; i++)

@@ -17,6 +17,9 @@ void texture_arrays_free(struct texture_arrays *arrays)
 
 void encoding_free(struct encoding *encoding)
 {
+    free(encoding->long_vertices);
+    free(encoding->long_planes);
+    free(encoding->long_boxes);
     free(encoding->vertices);
     free(encoding->fractions);
     free(encoding->uvs);

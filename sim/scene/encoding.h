@@ -5,7 +5,7 @@
 #define SIM_ENCODING_H
 
 #include "base/error.h"
-#include "scene.h"
+#include "long.h"
 
 #include <stddef.h>
 
@@ -20,6 +20,10 @@ struct texture_arrays {
 };
 
 struct encoding {
+    bool is_long;                          /* then these are its vertices, planes and boxes: firmware/long.h */
+    struct lim_long_vertex *long_vertices; /* counted, like the others, by vertex_count and so on */
+    struct lim_long_plane *long_planes;
+    struct lim_long_box *long_boxes;
     struct lim_vertex *vertices;
     struct lim_node *nodes;
     struct lim_plane *planes;

@@ -27,6 +27,7 @@ struct checker {
 
 static bool check_vertices(const struct lim_scene *scene, struct error *err)
 {
+    if (lim_scene_long(scene)) return lim_check_long_vertices(scene, err);
     for (size_t i = 0; i < scene->vertex_count; i++) {
         const struct lim_vertex *vertex = &scene->vertices[i];
         if (vertex->x < -COORDINATE_MAX || vertex->y < -COORDINATE_MAX || vertex->z < -COORDINATE_MAX)
@@ -37,7 +38,8 @@ static bool check_vertices(const struct lim_scene *scene, struct error *err)
 
 static bool check_boxes(const struct lim_scene *scene, struct error *err)
 {
-    for (size_t i = 0; i < scene->box_count; i++)
+    if (lim_scene_long(scene) && !lim_check_long_boxes(scene, err)) return false;
+    for (size_t i = 0; i < scene->box_count && !lim_scene_long(scene); i++)
         for (int k = 0; k < 3; k++)
             if (scene->boxes[i].half[k] > HALF_MAX)
                 return error_set(err, "box %zu: half is %u, more than %d", i, (unsigned)scene->boxes[i].half[k],
@@ -103,6 +105,7 @@ static bool check_plane(const struct lim_scene *scene, size_t index, struct erro
 
 static bool check_planes(const struct lim_scene *scene, struct error *err)
 {
+    if (lim_scene_long(scene)) return lim_check_long_planes(scene, err);
     for (size_t i = 0; i < scene->exact_count; i++)
         if (!check_exact(scene, i, err)) return false;
     for (size_t i = 0; i < scene->plane_count; i++)
@@ -114,6 +117,7 @@ static bool check_planes(const struct lim_scene *scene, struct error *err)
 static bool check_plane_ref(const struct checker *work, const struct lim_plane_ref *ref, const char *what, size_t index)
 {
     if (ref->plane > LIM_PLANE_Z) return error_set(work->err, "%s %zu: has no plane", what, index);
+    if (lim_scene_long(work->scene)) return lim_check_long_ref(work->scene, ref, what, index, work->err);
     if (ref->plane >= LIM_PLANE_X)
         return (ref->offset >= INT16_MIN && ref->offset <= INT16_MAX) ||
                error_set(work->err, "%s %zu: an axis plane at %ld, outside of the grid", what, index,
@@ -343,7 +347,9 @@ static bool check_bounds(const struct checker *work)
     bounds_of_subtrees(scene, all);
     for (size_t i = 0; ok && i < scene->node_count; i++) {
         const lim_index box = scene->nodes[i].box;
-        ok = box == LIM_NO_INDEX || !all[i].polygons || bounds_fit(&all[i], &scene->boxes[box]) ||
+        ok = box == LIM_NO_INDEX || !all[i].polygons ||
+             (lim_scene_long(scene) ? bounds_fit_long(&all[i], &lim_scene_long(scene)->boxes[box])
+                                    : bounds_fit(&all[i], &scene->boxes[box])) ||
              error_set(work->err, "node %zu: its box does not hold its polygons", i);
     }
     free(all);
@@ -400,7 +406,7 @@ static bool check_places(const struct lim_scene *scene, struct error *err)
 bool lim_check(const struct lim_scene *scene, struct error *err)
 {
     struct checker work = {.scene = scene, .err = err};
-    if (!check_vertices(scene, err) || !check_planes(scene, err) || !check_boxes(scene, err) ||
+    if (!lim_check_long(scene, err) || !check_vertices(scene, err) || !check_planes(scene, err) || !check_boxes(scene, err) ||
         !lim_check_textures(scene, err))
         return false;
     if (!scene->node_count) return lim_check_mesh(scene, err);

@@ -18,6 +18,15 @@ bool lim_check_mesh(const struct lim_scene *scene, struct error *err);
 /* The part of it for a node that is a mesh leaf, whose records are sound by themselves. */
 bool lim_check_mesh_leaf(const struct lim_scene *scene, size_t node, struct error *err);
 
+/* The parts of it for a long scene: what it may have at all, which is true of other scenes; its arrays; a plane that
+ * `what` names. */
+bool lim_check_long(const struct lim_scene *scene, struct error *err);
+bool lim_check_long_vertices(const struct lim_scene *scene, struct error *err);
+bool lim_check_long_boxes(const struct lim_scene *scene, struct error *err);
+bool lim_check_long_planes(const struct lim_scene *scene, struct error *err);
+bool lim_check_long_ref(const struct lim_scene *scene, const struct lim_plane_ref *ref, const char *what, size_t index,
+                        struct error *err);
+
 /* The part of it that is about textures and mappings. */
 bool lim_check_textures(const struct lim_scene *scene, struct error *err);
 

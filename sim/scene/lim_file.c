@@ -71,6 +71,8 @@ static bool check_header(const struct lim_file_header *header, const char *path,
         return error_set(err, "%s: version %lu; this program reads version %d, compile the model again", path,
                          (unsigned long)header->version, LIM_FILE_VERSION);
     const uint32_t fractions = header->counts[SECTION_FRACTIONS], uvs = header->counts[SECTION_UVS];
+    if ((header->coordinate_bits != 16 && header->coordinate_bits != 32) || header->zero)
+        return error_set(err, "%s: damaged: coordinates of %lu bits", path, (unsigned long)header->coordinate_bits);
     if (header->header_b != sizeof *header || header->file_b != lim_image_section_b(header, SECTION_COUNT) ||
         (fractions && fractions != header->counts[SECTION_VERTICES]) ||
         (uvs && uvs != header->counts[SECTION_VERTICES]))
@@ -151,6 +153,7 @@ static bool read_scene(FILE *file, const char *path, struct compiled *out, struc
              error_prefix(err, path);
     }
     if (!ok) free(image);
+    if (!ok) free(out->of_32_bits);
     return ok;
 }
 

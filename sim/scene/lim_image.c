@@ -14,12 +14,13 @@
 /* No text, and damaged by whatever turns line ends: the idea of PNG's signature. */
 const unsigned char lim_file_magic[LIM_FILE_MAGIC_B] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n'};
 
-static_assert(sizeof(struct lim_file_header) == 144, "header");
+static_assert(sizeof(struct lim_file_header) == 152, "header");
 static_assert(offsetof(struct lim_file_header, crc32) + 4 == LIM_FILE_CRC_FROM_B, "header");
 static_assert(offsetof(struct lim_file_header, units_per_m) == 24, "header");
 static_assert(offsetof(struct lim_file_header, counts) == 56, "header");
 static_assert(offsetof(struct lim_file_header, limits) == 118, "header");
 static_assert(offsetof(struct lim_file_header, deep_from) == 136, "header");
+static_assert(offsetof(struct lim_file_header, coordinate_bits) == 144, "header");
 static_assert(sizeof(struct lim_vertex) == 6, "vertex");
 static_assert(sizeof(struct lim_fraction) == 3, "fraction");
 static_assert(sizeof(struct lim_uv) == 4, "place of a vertex");
@@ -30,17 +31,22 @@ static_assert(offsetof(struct lim_plane, exact) == 12, "plane");
 static_assert(sizeof(struct lim_plane_exact) == 20, "exact plane");
 static_assert(offsetof(struct lim_plane_exact, d_lo) == 16, "exact plane");
 static_assert(sizeof(struct lim_box) == 12, "box");
+static_assert(sizeof(struct lim_long_vertex) == 12, "vertex of 32 bits");
+static_assert(sizeof(struct lim_long_plane) == 20, "plane of 32 bits");
+static_assert(sizeof(struct lim_long_box) == 24, "box of 32 bits");
 static_assert(sizeof(struct lim_mapping) == 20, "mapping");
 static_assert(offsetof(struct lim_mapping, level_q3) == 16, "mapping");
 static_assert(sizeof(struct lim_texture) == 8, "texture");
 static_assert(sizeof(struct lim_place) == 4, "place");
 static_assert(sizeof(struct lim_limits) == sizeof((struct lim_file_header *)0)->limits, "limits");
 
-/* Element size of each section, and the widths of its fields in bytes, as a repeating pattern. */
-static const struct {
+/* Element size of a section, and the widths of its fields in bytes, as a repeating pattern. */
+struct element {
     size_t size_b;
     const char *fields;
-} SECTIONS[SECTION_COUNT] = {
+};
+
+static const struct element SECTIONS[SECTION_COUNT] = {
     [SECTION_VERTICES] = {sizeof(struct lim_vertex), "2"},
     [SECTION_NODES] = {sizeof(struct lim_node), "4"},
     [SECTION_PLANES] = {sizeof(struct lim_plane), "4"},
@@ -57,13 +63,28 @@ static const struct {
     [SECTION_PLACES] = {sizeof(struct lim_place), "2"},
     [SECTION_PVS] = {sizeof(uint8_t), "1"},
 };
+static const struct element LONG_SECTIONS[SECTION_COUNT] = {
+    [SECTION_VERTICES] = {sizeof(struct lim_long_vertex), "4"},
+    [SECTION_PLANES] = {sizeof(struct lim_long_plane), "4"},
+    [SECTION_BOXES] = {sizeof(struct lim_long_box), "4"},
+};
 static const char HEADER_FIELDS[] = "11111111"
                                     "4444"
                                     "8888"
                                     "444444444444444"
                                     "2"
                                     "222222222"
-                                    "44";
+                                    "4444";
+
+static bool has_32_bits(const struct lim_file_header *header)
+{
+    return header->coordinate_bits == 32;
+}
+
+static const struct element *element_of(const struct lim_file_header *header, enum lim_section section)
+{
+    return has_32_bits(header) && LONG_SECTIONS[section].size_b ? &LONG_SECTIONS[section] : &SECTIONS[section];
+}
 
 static uint64_t align_b(uint64_t size_b)
 {
@@ -74,18 +95,31 @@ uint64_t lim_image_section_b(const struct lim_file_header *header, enum lim_sect
 {
     uint64_t at_b = sizeof *header;
     for (int i = 0; i < (int)section; i++)
-        at_b += align_b((uint64_t)header->counts[i] * SECTIONS[i].size_b);
+        at_b += align_b((uint64_t)header->counts[i] * element_of(header, (enum lim_section)i)->size_b);
     return at_b;
 }
 
 uint64_t lim_image_section_end_b(const struct lim_file_header *header, enum lim_section section)
 {
-    return lim_image_section_b(header, section) + (uint64_t)header->counts[section] * SECTIONS[section].size_b;
+    return lim_image_section_b(header, section) + (uint64_t)header->counts[section] * element_of(header, section)->size_b;
 }
 
 static void *section_at(void *image, enum lim_section section)
 {
     return (unsigned char *)image + lim_image_section_b(image, section);
+}
+
+/* The sections are those of scene.h by name alone. */
+static void bind_long(void *image, struct compiled *scene)
+{
+    if (!scene->of_32_bits) scene->of_32_bits = grow_zeroed(1, sizeof *scene->of_32_bits);
+    *scene->of_32_bits = (struct lim_long){.vertices = section_at(image, SECTION_VERTICES),
+                                           .planes = section_at(image, SECTION_PLANES),
+                                           .boxes = section_at(image, SECTION_BOXES)};
+    scene->scene.vertices = NULL;
+    scene->scene.planes = NULL;
+    scene->scene.boxes = NULL;
+    *scene->scene.of_32_bits = scene->of_32_bits;
 }
 
 void lim_image_bind(void *image, struct compiled *scene)
@@ -94,6 +128,7 @@ void lim_image_bind(void *image, struct compiled *scene)
     scene->image = image;
     scene->image_b = header->file_b;
     scene->grid.units_per_m = header->units_per_m;
+    scene->grid.is_long = has_32_bits(header);
     memcpy(scene->grid.origin_m, header->origin_m, sizeof scene->grid.origin_m);
     scene->faces = section_at(image, SECTION_FACES);
     scene->scene = (struct lim_scene){
@@ -120,6 +155,7 @@ void lim_image_bind(void *image, struct compiled *scene)
         .near_deep_from = {header->near_deep_from},
         .uvs = {header->counts[SECTION_UVS] ? section_at(image, SECTION_UVS) : NULL},
     };
+    if (has_32_bits(header)) bind_long(image, scene);
     memcpy(&scene->scene.limits, header->limits, sizeof scene->scene.limits);
     scene->scene.mappings = section_at(image, SECTION_MAPPINGS);
     scene->scene.textures = section_at(image, SECTION_TEXTURES);
@@ -154,6 +190,7 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
     struct lim_file_header header = {.version = LIM_FILE_VERSION, .header_b = sizeof header};
     memcpy(header.magic, lim_file_magic, sizeof header.magic);
     header.units_per_m = grid->units_per_m;
+    header.coordinate_bits = encoding->is_long ? 32 : 16;
     header.background = encoding->background;
     header.deep_from = header.near_deep_from = encoding->node_count ? 0 : (uint32_t)encoding->record_count;
     memcpy(header.origin_m, grid->origin_m, sizeof header.origin_m);
@@ -168,16 +205,26 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
 {
     const struct lim_file_header header = header_of(encoding, grid);
     const struct texture_arrays *textures = &encoding->textures;
-    const void *sections[SECTION_COUNT] = {
-        encoding->vertices, encoding->nodes,    encoding->planes,    encoding->exact, encoding->boxes,
-        encoding->words,    encoding->faces,    encoding->fractions, encoding->uvs,   textures->mappings,
-        textures->textures, textures->palettes, textures->texels};
+    const bool is_long = encoding->is_long;
+    const void *sections[SECTION_COUNT] = {is_long ? (const void *)encoding->long_vertices : encoding->vertices,
+                                           encoding->nodes,
+                                           is_long ? (const void *)encoding->long_planes : encoding->planes,
+                                           encoding->exact,
+                                           is_long ? (const void *)encoding->long_boxes : encoding->boxes,
+                                           encoding->words,
+                                           encoding->faces,
+                                           encoding->fractions,
+                                           encoding->uvs,
+                                           textures->mappings,
+                                           textures->textures,
+                                           textures->palettes,
+                                           textures->texels};
     unsigned char *image = grow_zeroed(header.file_b, 1);
     memcpy(image, &header, sizeof header);
     for (int i = 0; i < SECTION_COUNT; i++)
         if (header.counts[i])
             memcpy(image + lim_image_section_b(&header, (enum lim_section)i), sections[i],
-                   header.counts[i] * SECTIONS[i].size_b);
+                   header.counts[i] * element_of(&header, (enum lim_section)i)->size_b);
     lim_image_bind(image, out);
 }
 
@@ -244,7 +291,7 @@ void lim_image_set_textures(struct compiled *scene, const struct texture_arrays 
         const enum lim_section section = (enum lim_section)i;
         if (header.counts[i])
             memcpy(image + lim_image_section_b(&header, section),
-                   others[i] ? others[i] : section_at(scene->image, section), header.counts[i] * SECTIONS[i].size_b);
+                   others[i] ? others[i] : section_at(scene->image, section), header.counts[i] * element_of(&header, section)->size_b);
     }
     free(scene->image);
     lim_image_bind(image, scene);
@@ -282,7 +329,8 @@ void lim_image_swap_sections(void *image, const struct lim_file_header *header)
 {
     for (int i = 0; i < SECTION_COUNT; i++)
         swap_fields((unsigned char *)image + lim_image_section_b(header, (enum lim_section)i),
-                    header->counts[i] * SECTIONS[i].size_b, SECTIONS[i].fields);
+                    header->counts[i] * element_of(header, (enum lim_section)i)->size_b,
+                    element_of(header, (enum lim_section)i)->fields);
 }
 
 uint32_t lim_image_crc32(const void *image, size_t image_b)

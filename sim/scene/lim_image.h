@@ -9,7 +9,7 @@
 #include "scene/compiled.h"
 #include "scene/encoding.h"
 
-enum { LIM_FILE_VERSION = 11, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
+enum { LIM_FILE_VERSION = 12, LIM_FILE_ALIGN_B = 8, LIM_FILE_MAGIC_B = 8 };
 
 extern const unsigned char lim_file_magic[LIM_FILE_MAGIC_B];
 
@@ -46,6 +46,8 @@ struct lim_file_header {
     uint16_t limits[9];             /* the fields of struct lim_limits in their order */
     uint32_t deep_from;             /* of a mesh; else 0 */
     uint32_t near_deep_from;        /* likewise */
+    uint32_t coordinate_bits;       /* 16; 32: vertices, planes and boxes are those of long.h */
+    uint32_t zero;
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */

@@ -17,11 +17,11 @@ size_t flash_parts(const struct compiled *scene, struct mem_part parts[FLASH_PAR
     const struct lim_scene *arrays = &scene->scene;
     const bool wide = width_is_wide(arrays);
     size_t count = 0;
-    add(parts, &count, "vertices", arrays->vertex_count * sizeof *arrays->vertices, arrays->vertex_count);
+    add(parts, &count, "vertices", arrays->vertex_count * width_vertex_b(arrays), arrays->vertex_count);
     add(parts, &count, "nodes", arrays->node_count * width_node_b(wide), arrays->node_count);
-    add(parts, &count, "planes", arrays->plane_count * width_plane_b(wide), arrays->plane_count);
+    add(parts, &count, "planes", arrays->plane_count * width_plane_b(arrays, wide), arrays->plane_count);
     add(parts, &count, "exact planes", arrays->exact_count * sizeof *arrays->exact, arrays->exact_count);
-    add(parts, &count, "boxes", arrays->box_count * sizeof *arrays->boxes, arrays->box_count);
+    add(parts, &count, "boxes", arrays->box_count * width_box_b(arrays), arrays->box_count);
     add(parts, &count, "polygons", arrays->polygon_words * width_word_b(wide), arrays->polygon_count);
     if (!arrays->texture_count) return count;
     add(parts, &count, "texels", arrays->texel_blocks * (size_t)LIM_TEXEL_BLOCK, 0);

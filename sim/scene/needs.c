@@ -49,6 +49,7 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .portals = scene->scene.place_count > 0,
                           .slanted = scene->scene.plane_count > 0,
                           .large = scene->scene.exact_count > 0,
+                          .of_32_bits = scene->grid.is_long,
                           .transparent = scene->scene.limits.layers > 0,
                           .wireframe = scene->report.wireframe,
                           .antialias = scene->report.antialias,
@@ -105,6 +106,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .portals = a->portals || b->portals,
                           .slanted = a->slanted || b->slanted,
                           .large = a->large || b->large,
+                          .of_32_bits = a->of_32_bits || b->of_32_bits,
                           .transparent = a->transparent || b->transparent,
                           .wireframe = a->wireframe || b->wireframe,
                           .movers = a->movers || b->movers,
@@ -178,6 +180,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_PORTALS", needs->portals);
     write_macro(file, "HAS_SLANTED", needs->slanted);
     write_macro(file, "HAS_LARGE", needs->large);
+    write_macro(file, "HAS_LONG", needs->of_32_bits);
     write_macro(file, "HAS_TRANSPARENT", needs->transparent);
     write_macro(file, "HAS_WIREFRAME", needs->wireframe);
     write_macro(file, "HAS_ANTIALIAS", needs->antialias);

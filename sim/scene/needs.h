@@ -19,6 +19,7 @@ struct needs {
     bool portals;                            /* what can be seen from where */
     bool wide;                               /* indices of 32 bits */
     bool cull, slanted, large;               /* what the methods have to do with the scene's boxes and planes */
+    bool of_32_bits;                         /* coordinates, of scenes of many scales */
     bool transparent;                        /* polygons with alpha */
     bool wireframe;                          /* to be drawn so */
     bool movers, light;                      /* what moves, and whether it is lit in each frame */

@@ -8,6 +8,8 @@
  * few hundredths of a unit at the far end of the grid. */
 #include "scene/plane.h"
 
+#include "long.h"
+
 #include <float.h>
 #include <math.h>
 
@@ -178,7 +180,8 @@ static void place_large(const struct plane_fit *fit, struct plane *out)
 
 void plane_store(const struct plane_fit *fit, struct plane *out)
 {
-    if (try_axis(fit, out) || try_small(fit, true, out) || try_small(fit, false, out)) return;
+    if (try_axis(fit, out)) return;
+    if (!fit->is_long && (try_small(fit, true, out) || try_small(fit, false, out))) return;
     place_large(fit, out);
 }
 
@@ -215,13 +218,35 @@ struct lim_plane plane_filter(const int64_t n[3], int64_t d, lim_index exact)
 enum plane_kind plane_kind_of(const struct lim_scene *scene, const struct lim_plane_ref *ref)
 {
     if (ref->plane >= LIM_PLANE_X) return (enum plane_kind)(ref->plane - LIM_PLANE_X);
+    if (lim_scene_long(scene)) return PLANE_LARGE;
     const struct lim_plane *plane = lim_plane_at(scene->planes, ref->plane);
     if (lim_plane_exact(plane) != LIM_NO_INDEX) return PLANE_LARGE;
     return lim_plane_y(plane) == 0 ? PLANE_XZ : PLANE_SMALL;
 }
 
+/* n . p = n . v + rest */
+static void exact_of_long(const struct lim_long *of_32_bits, const struct lim_plane_ref *ref, int64_t n[3], int64_t *d)
+{
+    if (ref->plane >= LIM_PLANE_X) {
+        for (int i = 0; i < 3; i++)
+            n[i] = LIM_PLANE_X + (lim_index)i == ref->plane;
+        *d = of_32_bits->vertices[(lim_index)ref->offset].at[ref->plane - LIM_PLANE_X];
+        return;
+    }
+    const struct lim_long_plane *plane = &of_32_bits->planes[ref->plane];
+    *d = plane->rest;
+    for (int i = 0; i < 3; i++) {
+        n[i] = plane->n[i];
+        *d += n[i] * of_32_bits->vertices[plane->vertex].at[i];
+    }
+}
+
 void plane_exact(const struct lim_scene *scene, const struct lim_plane_ref *ref, int64_t n[3], int64_t *d)
 {
+    if (lim_scene_long(scene)) {
+        exact_of_long(lim_scene_long(scene), ref, n, d);
+        return;
+    }
     if (ref->plane >= LIM_PLANE_X) {
         for (int i = 0; i < 3; i++)
             n[i] = LIM_PLANE_X + (lim_index)i == ref->plane;

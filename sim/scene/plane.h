@@ -14,7 +14,7 @@
  * stored twice, as a filter and exactly. */
 enum plane_kind { PLANE_X, PLANE_Y, PLANE_Z, PLANE_XZ, PLANE_SMALL, PLANE_LARGE, PLANE_KINDS };
 
-/* n . p = d. |n[i]| <= 2^30, |d| < 2^48; within scene.h's bounds for its kind. */
+/* n . p = d. |n[i]| <= 2^30, |d| < 2^48; within scene.h's bounds for its kind. Of a long scene |d| < 2^61. */
 struct plane {
     int64_t n[3], d;
     enum plane_kind kind;
@@ -34,6 +34,7 @@ struct plane_fit {
     size_t corner_count;
     const struct point_blocks *blocks; /* the points of the whole mesh; units */
     double tolerance_units;            /* 0: cheap kinds only if they hold every corner exactly */
+    bool is_long;                      /* of a long scene: an axis plane, or a LARGE one */
 };
 
 /* Chooses the stored plane: parallel to fit->normal, in the middle of fit->corners. A cheap kind

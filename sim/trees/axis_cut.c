@@ -6,6 +6,7 @@
 
 #include "base/deadline.h"
 #include "base/grow.h"
+#include "long.h"
 
 #include <float.h>
 #include <math.h>
@@ -101,7 +102,8 @@ struct cell {
 /* Narrowed by the cuts above; polygons' planes do not count. */
 static struct cell cell_of(const struct bsp *bsp, struct bsp_place place)
 {
-    struct cell cell = {{-CUBE_END, -CUBE_END, -CUBE_END}, {CUBE_END, CUBE_END, CUBE_END}, 0};
+    const int32_t end = bsp->mesh->grid.is_long ? LIM_LONG_END : CUBE_END;
+    struct cell cell = {{-end, -end, -end}, {end, end, end}, 0};
     for (; place.parent != BSP_NONE;
          place = (struct bsp_place){bsp->nodes[place.parent].parent, bsp->nodes[place.parent].in_front}) {
         const uint32_t group = bsp->nodes[place.parent].group;

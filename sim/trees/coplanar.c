@@ -173,7 +173,8 @@ static void store_planes(const struct grouping *work, struct coplanar *out, doub
         struct plane_fit fit = {.corners = corners + starts[g],
                                 .corner_count = starts[g + 1] - starts[g],
                                 .blocks = &blocks,
-                                .tolerance_units = tolerance_units};
+                                .tolerance_units = tolerance_units,
+                                .is_long = work->mesh->grid.is_long};
         memcpy(fit.normal, work->heads[g].normal, sizeof fit.normal);
         plane_store(&fit, &out->planes[g]);
     }

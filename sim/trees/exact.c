@@ -136,9 +136,9 @@ static long round_half_up(const mpq_t q, int bits)
 
 struct grid_point exact_snap(const struct exact_points *points, uint32_t point, int fraction_bits)
 {
-    const int32_t step_q8 = 256 >> fraction_bits;
+    const int64_t step_q8 = 256 >> fraction_bits;
     struct grid_point snapped;
     for (int k = 0; k < 3; k++)
-        snapped.q8[k] = (int32_t)round_half_up(points->at[point][k], fraction_bits) * step_q8;
+        snapped.q8[k] = round_half_up(points->at[point][k], fraction_bits) * step_q8;
     return snapped;
 }

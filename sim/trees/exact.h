@@ -11,9 +11,9 @@
 
 #include <gmp.h>
 
-/* Units with 8 fraction bits, on the grid or between its points: |q8| <= 32767.5 * 256. */
+/* Units with 8 fraction bits, on the grid or between its points. */
 struct grid_point {
-    int32_t q8[3];
+    int64_t q8[3];
 };
 
 struct exact_points {

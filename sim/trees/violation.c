@@ -8,16 +8,18 @@
 #include <math.h>
 
 #define SLACK_UNITS 0x1p-30
+#define LONG_SLACK_UNITS 0x1p-18 /* sums of 2^62, of 53 bits, over a normal of 2^30 */
 
 /* How far the point lies on the wrong side: side 1 = it should be in front, -1 behind, 0 on it. */
 static double point_violation(const struct bsp *bsp, uint32_t point, const struct plane *plane, int side)
 {
     double distance = plane_distance(plane, bsp->edges.points->approx[point]);
     double wrong = side ? -distance * side : fabs(distance);
-    if (wrong < -SLACK_UNITS) return 0.0;
-    if (wrong > SLACK_UNITS) return wrong + SLACK_UNITS;
+    const double slack = bsp->mesh->grid.is_long ? LONG_SLACK_UNITS : SLACK_UNITS;
+    if (wrong < -slack) return 0.0;
+    if (wrong > slack) return wrong + slack;
     int truth = exact_side(bsp->edges.points, point, plane);
-    return truth == 0 || (truth == side) ? 0.0 : SLACK_UNITS * 2.0;
+    return truth == 0 || (truth == side) ? 0.0 : slack * 2.0;
 }
 
 /* A leaf's pieces lie in planes of their own. */

@@ -316,7 +316,7 @@ static void open_model(const char *name, const struct core *core, struct compile
     memset(scene, 0, sizeof *scene);
     memset(path, 0, sizeof *path);
     if (!compile_model(model, &options, scene, &err) || !camera_path_read(camera, path, &err) ||
-        !reference_read(reference, model, &(struct orientation){0}, BAR_PX, BAR_PX, &err))
+        !reference_read(reference, model, &(struct orientation){0}, NULL, BAR_PX, BAR_PX, &err))
         fail_msg("%s", err.text);
 }
 

@@ -73,7 +73,7 @@ static void begin(struct contest *contest, const char *name, const char *model_p
     contest->profile_count = profiles_find(contest->profiles);
     assert_true(contest->profile_count >= 2);
     if (!model_import(model_path, &contest->model, &err) || !camera_path_read(camera_path, &contest->path, &err) ||
-        !reference_read(&contest->reference, model_path, &(struct orientation){0}, SIDE_PX, SIDE_PX, &err) ||
+        !reference_read(&contest->reference, model_path, &(struct orientation){0}, NULL, SIDE_PX, SIDE_PX, &err) ||
         !osmesa_init(&contest->osmesa, SIDE_PX, SIDE_PX, &err))
         fail_msg("%s", err.text);
     for (size_t k = 0; k < contest->profile_count; k++)

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Scenes of many scales: a screw and the ship that it is in. Units are as fine as the screw wants them, and coordinates
+ * have 32 bits in place of 16. Such a scene is called long. It has these arrays instead of lim_scene.vertices, planes,
+ * exact and boxes; nodes, records and all else are as in any scene. Movers are scenes of 16 bits in any case.
+ *
+ * Nothing is asked of the grid but to hold the scene: a point is seen from the eye, as a way of three numbers with one
+ * exponent (math/relative.h), so what is near is as exact as if the rest were not there. */
+#ifndef LIM_LONG_H
+#define LIM_LONG_H
+
+#include "scene.h"
+
+#define LIM_LONG_END (INT32_C(1) << 29)     /* |coordinate| of vertices and boxes up to this, units: a span of 2^30 */
+#define LIM_LONG_EYE_END (INT32_C(1) << 30) /* |coordinate| of the eye below this, units */
+
+struct lim_long_vertex {
+    int32_t at[3]; /* units */
+};
+
+/* A plane that is not an axis plane, of all p with n . (p - v) = rest, where v is a vertex near it. Its front is where
+ * n . (p - v) is more. |n[i]| <= 2^30. */
+struct lim_long_plane {
+    int32_t n[3];
+    int32_t rest;
+    uint32_t vertex; /* index of v */
+};
+
+/* Holds every polygon of a subtree: |p[i] - centre[i]| <= half[i]. */
+struct lim_long_box {
+    int32_t centre[3]; /* units */
+    uint32_t half[3];  /* units, up to 2^30 */
+};
+
+/* lim_plane_ref.plane counts planes, not words. With an axis plane, LIM_PLANE_X and so on, lim_plane_ref.offset is the
+ * index of a vertex in it. */
+struct lim_long {
+    const LIM_FLASH struct lim_long_vertex *vertices; /* lim_scene.vertex_count of them, and so on */
+    const LIM_FLASH struct lim_long_plane *planes;
+    const LIM_FLASH struct lim_long_box *boxes;
+};
+
+/* Where an eye is: |at| < LIM_LONG_EYE_END, units, and what is left of one. */
+struct lim_long_eye {
+    const struct lim_long *all; /* the scene's arrays; NULL: it is none of 32 bits, and the rest is not set */
+    int32_t at[3];
+    uint8_t fraction_q8[3];
+};
+
+/* NULL: the scene is one of 16 bits. */
+static inline const struct lim_long *lim_scene_long(const struct lim_scene *scene)
+{
+    return LIM_HAS_LONG ? *scene->of_32_bits : NULL;
+}
+
+#endif

@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Vertices of a long scene: the way from the eye, whose numbers have one exponent, through the three rows. x / z does not
+ * mind the exponent, and what is compared with anything but another coordinate is the near plane alone.
+ *
+ * A way d of 31 bits keeps an edge between two far corners where it is, even where it passes close to the eye. A row of 16
+ * bits takes it as floor(n d / 2^16), component by component; n d = 2^16 n high + n low with 0 <= low < 2^16, so 32 bits do
+ * for each. A row is 32767 long at most, so the sum is below 2^30 sqrt(3). Rows with limbs, 2^30 long at most, are
+ * multiplied in 64 bits: |n . d| < 2^61 sqrt(3). */
+#include "view/view.h"
+
+#include "math/relative.h"
+#include "view/perspective.h"
+
+#if LIM_HAS_LONG
+
+#if LIM_HAS_LIMBS
+
+enum { LIMB_BITS = 15, SUM_BITS = 32, DOT_EXPONENT = SUM_BITS - LIMB_BITS };
+
+static int32_t dot(const struct lim_row *row, const int32_t way[3])
+{
+    int64_t sum = 0;
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        sum += ((int64_t)row->n_qv[i] * (INT32_C(1) << LIMB_BITS) + row->low_qv15[i]) * way[i];
+    return (int32_t)(sum >> SUM_BITS);
+}
+
+#else
+
+enum { DOT_EXPONENT = 16 };
+
+static inline int32_t dot(const struct lim_row *row, const int32_t way[3])
+{
+    int32_t sum = 0;
+
+    LIM_UNROLLED(3)
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const int32_t n = (int32_t)row->n_qv[i];
+#if LIM_DUAL_MULTIPLY
+        sum = __builtin_arm_smlawb(way[i], n, sum);
+#else
+        sum += n * (way[i] >> 16) + (n * (way[i] & 0xFFFF) >> 16);
+#endif
+    }
+    return sum;
+}
+
+#endif
+
+static inline void transform(const struct lim_rows *rows, lim_index vertex, struct lim_view_point *out)
+{
+    struct lim_relative way;
+
+    lim_relative_set(&way, rows->eye, &rows->eye->all->vertices[vertex]);
+    LIM_UNROLLED(3)
+    for (uint_fast8_t i = 0; i < 3; i++)
+        out->qv[i] = dot(&rows->row[i], way.d);
+    if (!LIM_HAS_LIMBS) out->z_qv = (out->z_qv + rows->row[2].shift_qv) >> rows->tele_bits;
+    *out->exponent = (int8_t)(way.exponent + DOT_EXPONENT);
+}
+
+void lim_view_transform_long(const struct lim_view *view, lim_index vertex, struct lim_view_point *out)
+{
+    transform(&view->rows, vertex, out);
+}
+
+static inline void project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
+{
+    const struct lim_depth depth = perspective_depth(point->z_qv);
+
+    out->x = perspective_at(point->x_qv, depth, &view->width);
+    out->y = perspective_at(point->y_qv, depth, &view->height);
+}
+
+/* A cut may have few bits left. */
+void lim_view_project_long(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
+{
+    struct lim_view_point scaled = *point;
+    const uint32_t size = abs_s32(point->x_qv) | abs_s32(point->y_qv) | (uint32_t)point->z_qv;
+    const uint8_t zeros = clz_u32(size | 1), up = (uint8_t)(zeros > 2 ? zeros - 2 : 0);
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        scaled.qv[i] = (int32_t)((uint32_t)point->qv[i] << up);
+    project(view, &scaled, out);
+}
+
+/* As codes_outside() of view.c has them. */
+static LIM_RARE uint8_t codes_outside(const struct lim_view_point *point, int32_t near_qv)
+{
+    const int32_t x_qv = (int32_t)abs_s32(point->x_qv), y_qv = (int32_t)abs_s32(point->y_qv), z_qv = point->z_qv;
+    const int32_t margin_qv = LIM_SUB_BITS || z_qv < 0 ? 0 : z_qv >> LIM_DRAFT_MARGIN_BITS;
+    uint8_t codes = 0;
+
+    if (z_qv < lim_view_near(point, near_qv)) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
+    if (x_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (point->x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
+    if (y_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (point->y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
+    if (x_qv >> 1 > z_qv - 2 || y_qv >> 1 > z_qv - 2) codes |= LIM_VIEW_GUARD;
+    return codes;
+}
+
+/* What is seen has |d| >= 2^27, so z is 2^27 2^15 zoom / 2^16 / sqrt(1 + 2 4^2) or more, zoom being 1/64 or more: 2^17.
+ * With 2^8 units or more a unit of d, that is beyond any near plane. */
+static inline bool is_seen(const struct lim_view_point *point, int32_t near_qv)
+{
+    const int32_t z_qv = point->z_qv;
+
+    return (int32_t)abs_s32(point->x_qv) <= z_qv && (int32_t)abs_s32(point->y_qv) <= z_qv &&
+           z_qv >= lim_view_near(point, near_qv);
+}
+
+void lim_view_remember_long(struct lim_view *view, lim_index vertex, struct lim_view_cached *entry)
+{
+    struct lim_view_point point;
+
+    transform(&view->rows, vertex, &point);
+    const uint8_t codes = is_seen(&point, view->rows.near_qv) ? 0 : codes_outside(&point, view->rows.near_qv);
+    entry->vertex = vertex;
+    entry->codes = (lim_view_code_bits)(LIM_8_BIT ? codes : lim_view_both(codes));
+    if (!(codes & LIM_VIEW_GUARD)) project(view, &point, &entry->at);
+    if (LIM_HAS_STATS) view->vertices++;
+}
+
+#endif

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the renderer relies on in a long scene: the bounds of long.h. */
+#include "long.h"
+#include "scene/lim_check.h"
+
+enum { NORMAL_MAX = 1 << 30, HALF_MAX = 1 << 30 };
+
+static bool is_within(const int32_t at[3], int32_t most)
+{
+    for (int i = 0; i < 3; i++)
+        if (at[i] < -most || at[i] > most) return false;
+    return true;
+}
+
+/* What such a scene cannot have. */
+bool lim_check_long(const struct lim_scene *scene, struct error *err)
+{
+    if (!lim_scene_long(scene)) return true;
+    if (!scene->node_count) return error_set(err, "coordinates of 32 bits without a tree");
+    if (scene->exact_count || scene->fractions)
+        return error_set(err, "exact planes or fractions beside coordinates of 32 bits");
+    if (scene->limits.leaf_polygons) return error_set(err, "mesh leaves beside coordinates of 32 bits");
+    if (scene->texture_count) return error_set(err, "textures beside coordinates of 32 bits");
+    return !scene->place_count || error_set(err, "visible sets beside coordinates of 32 bits");
+}
+
+bool lim_check_long_vertices(const struct lim_scene *scene, struct error *err)
+{
+    for (size_t i = 0; i < scene->vertex_count; i++)
+        if (!is_within(lim_scene_long(scene)->vertices[i].at, LIM_LONG_END))
+            return error_set(err, "vertex %zu: a coordinate is beyond 2^29", i);
+    return true;
+}
+
+bool lim_check_long_boxes(const struct lim_scene *scene, struct error *err)
+{
+    for (size_t i = 0; i < scene->box_count; i++) {
+        const struct lim_long_box *box = &lim_scene_long(scene)->boxes[i];
+        bool fits = is_within(box->centre, LIM_LONG_END);
+        for (int k = 0; k < 3; k++)
+            fits &= box->half[k] <= HALF_MAX;
+        if (!fits) return error_set(err, "box %zu: beyond the grid", i);
+    }
+    return true;
+}
+
+bool lim_check_long_planes(const struct lim_scene *scene, struct error *err)
+{
+    for (size_t i = 0; i < scene->plane_count; i++) {
+        const struct lim_long_plane *plane = &lim_scene_long(scene)->planes[i];
+        if (!is_within(plane->n, NORMAL_MAX) || !(plane->n[0] | plane->n[1] | plane->n[2]))
+            return error_set(err, "plane %zu: its normal is out of bounds", i);
+        if (plane->vertex >= scene->vertex_count)
+            return error_set(err, "plane %zu: at vertex %lu of %lu", i, (unsigned long)plane->vertex,
+                             (unsigned long)scene->vertex_count);
+    }
+    return true;
+}
+
+bool lim_check_long_ref(const struct lim_scene *scene, const struct lim_plane_ref *ref, const char *what, size_t index,
+                        struct error *err)
+{
+    const lim_index at = ref->plane >= LIM_PLANE_X ? (lim_index)ref->offset : ref->plane;
+    const lim_index count = ref->plane >= LIM_PLANE_X ? scene->vertex_count : scene->plane_count;
+    if (ref->plane < LIM_PLANE_X && ref->offset)
+        return error_set(err, "%s %zu: an offset beside a plane of its own", what, index);
+    return at < count || error_set(err, "%s %zu: its plane is number %lu of %lu", what, index, (unsigned long)at,
+                                   (unsigned long)count);
+}
