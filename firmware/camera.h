@@ -33,6 +33,7 @@ uint32_t lim_atan2(int32_t y, int32_t x);
 
 /* A constant number of units, with 8 fraction bits, rounded to nearest. */
 #define LIM_UNITS_Q8(units) ((int32_t)((units) < 0 ? (units)*256.0 - 0.5 : (units)*256.0 + 0.5))
+#define LIM_UNITS(units) ((int32_t)((units) < 0 ? (units)-0.5 : (units) + 0.5)) /* whole ones */
 
 /* A full turn is 2^32. Yaw 0 looks along -z, a quarter turn along -x: counter-clockwise from above;
  * pitch raises the view; roll turns the picture counter-clockwise. Nothing is accumulated: a stored
@@ -50,6 +51,10 @@ struct lim_camera {
     LIM_OPTIONAL(int32_t, origin, 3 * LIM_HAS_LONG);
 };
 LIM_OPTIONAL_END
+
+/* In a scene of many scales: whole units go from eye_q8 to origin, where there is room for more. After each step of a
+ * camera that goes far. */
+void lim_camera_carry(struct lim_camera *camera);
 
 /* Puts the camera at the eye and turns it to the target, upright; roll and lens stay as they are. Both in units with 8
  * fraction bits, anywhere in 32 bits; but lim_frame() refuses eyes that are out of range. The target is in the middle

@@ -29,7 +29,7 @@ struct lim_solid {
 
 /* mem: aligned as lim_index is; it and the scene must outlive *solid. LIM_ERR_MEMORY: it is less than limits.depth
  * times sizeof(lim_index). LIM_ERR_SCENE: the scene is a mesh, which has no tree and no planes (compile it with --tree
- * bsp). */
+ * bsp), or one of many scales (long.h). */
 LIM_MUST_CHECK int lim_solid_init(struct lim_solid *solid, const struct lim_scene *scene, void *mem, size_t mem_b)
     LIM_AGREES(lim_solid_init);
 

@@ -31,6 +31,14 @@ bool lim_eye_set_long(struct lim_eye *eye, const struct lim_scene *scene, const 
     return true;
 }
 
+void lim_camera_carry(struct lim_camera *camera)
+{
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        camera->origin[i] += camera->eye_q8[i] >> 8;
+        camera->eye_q8[i] &= 0xFF;
+    }
+}
+
 /* n . (e - v) is below 3 * 2^30 * 1.5 * 2^30 < 2^63. Its fractions may carry. */
 static LIM_RARE int32_t exact_side(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
                                    const LIM_FLASH struct lim_long_vertex *vertex)

@@ -38,6 +38,7 @@ struct lim_long {
     const LIM_FLASH struct lim_long_vertex *vertices; /* lim_scene.vertex_count of them, and so on */
     const LIM_FLASH struct lim_long_plane *planes;
     const LIM_FLASH struct lim_long_box *boxes;
+    const LIM_FLASH struct lim_fraction *fractions; /* lim_scene.fractions, or NULL; in any profile */
 };
 
 /* Where an eye is: |at| < LIM_LONG_EYE_END, units, and what is left of one. */

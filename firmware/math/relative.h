@@ -31,9 +31,11 @@ static inline uint8_t relative_shift(uint32_t size)
     return up;
 }
 
-/* Where both are near, the eye's fraction counts, else it is nothing that could be seen. */
+/* Where both are near, their fractions count, else these are nothing that could be seen. `fraction`: the point's, or
+ * NULL. */
 static inline void lim_relative_set(struct lim_relative *out, const struct lim_long_eye *eye,
-                                    const LIM_FLASH struct lim_long_vertex *point)
+                                    const LIM_FLASH struct lim_long_vertex *point,
+                                    const LIM_FLASH struct lim_fraction *fraction)
 {
     int32_t x = point->at[0] - eye->at[0], y = point->at[1] - eye->at[1], z = point->at[2] - eye->at[2];
     uint32_t size = relative_size(x) | relative_size(y) | relative_size(z);
@@ -43,6 +45,7 @@ static inline void lim_relative_set(struct lim_relative *out, const struct lim_l
         x = x * 256 - eye->fraction_q8[0];
         y = y * 256 - eye->fraction_q8[1];
         z = z * 256 - eye->fraction_q8[2];
+        if (fraction) x += fraction->x_q8, y += fraction->y_q8, z += fraction->z_q8;
         size = relative_size(x) | relative_size(y) | relative_size(z);
         exponent = -8;
     }

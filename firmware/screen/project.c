@@ -72,12 +72,8 @@ static LIM_RARE bool clip_and_project(struct lim_screen_polygon *out, const stru
     if (LIM_HAS_WIREFRAME) hidden_from_corners(out, clipped);
     out->n = clipped->n;
     if (!out->n) return false;
-    for (uint_fast8_t k = 0; k < clipped->n; k++) {
-        if (LIM_HAS_LONG && lim_scene_long(scene))
-            lim_view_project_long(view, &clipped->at[k], &out->at[k]);
-        else
-            lim_view_project(view, &clipped->at[k], &out->at[k]);
-    }
+    for (uint_fast8_t k = 0; k < clipped->n; k++)
+        lim_view_project(view, &clipped->at[k], &out->at[k]);
     shape_bounds(&out->shape, out->at, out->n, lim_is_antialiased(view));
     return true;
 }

@@ -201,18 +201,11 @@ static int32_t near_qv_of(const struct lim_camera *camera, uint32_t zoom_q28, ui
 /* Points of a long scene come as seen from the eye, as numbers of 2^15 or less: no farther than this. */
 #define LONG_FAR_UNITS UINT32_C(56757)
 
-static bool is_long(const struct lim_scene *scene)
-{
-    return LIM_HAS_LONG && scene && lim_scene_long(scene);
-}
-
-/* Returns how far anything may be. */
-static uint32_t set_place(struct lens *lens, const struct lim_scene *scene, const struct lim_camera *camera)
+/* As seen from the eye. Returns how far anything may be. */
+static LIM_IF_CALLED uint32_t set_long_anchor(struct lens *lens)
 {
     static const int32_t here_q8[3] = {0, 0, 0};
 
-    lens->eye_q8 = camera->eye_q8;
-    if (!is_long(scene)) return set_anchor(lens, box_of(scene));
     lens->eye_q8 = here_q8;
     for (uint_fast8_t i = 0; i < 3; i++)
         lens->anchor_q8[i] = 0;
@@ -225,10 +218,15 @@ static inline bool set_rows(struct lim_rows *rows, const struct lim_scene *scene
     struct lens lens;
 
     if (!rows_in_range(camera)) return false;
+    if (LIM_HAS_LONG) rows->eye->all = NULL;
+    lens.eye_q8 = camera->eye_q8;
     const uint32_t zoom_q28 = zoom_q28_of(camera);
     rows->tele_bits = LIM_HAS_LIMBS ? 0 : (uint8_t)(clz_u32(zoom_q28 - 1) - 4); /* limbs have the bits anyway */
     set_entries(lens.entries_q30, camera, axes_q30, zoom_q28, rows->tele_bits);
-    rows->far_units = set_place(&lens, scene, camera);
+    if (LIM_HAS_LONG && scene && lim_scene_long(scene))
+        rows->far_units = set_long_anchor(&lens);
+    else
+        rows->far_units = set_anchor(&lens, box_of(scene));
     const uint32_t scale = choose_scale(&lens, rows->far_units, rows->tele_bits);
     for (uint_fast8_t i = 0; i < 3; i++)
         set_row(&rows->row[i], &lens, lens.entries_q30 + 3 * i, (int32_t)scale);

@@ -337,5 +337,8 @@ void lim_view_transform(const struct lim_view *view, const struct lim_scene *sce
 
 void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
 {
-    project(view, point, out);
+    if (LIM_HAS_LONG && view->rows.eye->all)
+        lim_view_project_long(view, point, out);
+    else
+        project(view, point, out);
 }

@@ -51,9 +51,11 @@ static inline int32_t dot(const struct lim_row *row, const int32_t way[3])
 
 static inline void transform(const struct lim_rows *rows, lim_index vertex, struct lim_view_point *out)
 {
+    const struct lim_long *all = rows->eye->all;
+    const LIM_FLASH struct lim_fraction *fraction = all->fractions ? &all->fractions[vertex] : NULL;
     struct lim_relative way;
 
-    lim_relative_set(&way, rows->eye, &rows->eye->all->vertices[vertex]);
+    lim_relative_set(&way, rows->eye, &all->vertices[vertex], fraction);
     LIM_UNROLLED(3)
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = dot(&rows->row[i], way.d);
@@ -100,8 +102,6 @@ static LIM_RARE uint8_t codes_outside(const struct lim_view_point *point, int32_
     return codes;
 }
 
-/* What is seen has |d| >= 2^27, so z is 2^27 2^15 zoom / 2^16 / sqrt(1 + 2 4^2) or more, zoom being 1/64 or more: 2^17.
- * With 2^8 units or more a unit of d, that is beyond any near plane. */
 static inline bool is_seen(const struct lim_view_point *point, int32_t near_qv)
 {
     const int32_t z_qv = point->z_qv;

@@ -23,6 +23,7 @@ static const double TIME_MAX_S = 4e6;         /* in milliseconds 32 bits hold it
 static const double EYE_END_Q8 = 268435456.0; /* 2^28, exclusive */
 static const double NEAR_MAX_Q8 = 16777216.0; /* 2^24 */
 static const double DEFAULT_FOV_DEG = 60.0;
+static const double LONG_NEAR_UNITS = 16.0; /* eyes come as near to the smallest things as others do to large ones */
 static const double TANGENT_MIN = 1.0 / 64.0, TANGENT_MAX = 4.0;
 
 static void viewpoint_direction(const struct viewpoint *viewpoint, double direction[3])
@@ -357,8 +358,8 @@ double lens_least_near_m(const struct lens *lens, const struct grid *grid)
 
 double lens_usual_near_m(const struct grid *grid)
 {
-    const double longest_side_units = grid->is_long ? 2.0 * LIM_LONG_END : 65534.0;
-    return fmin(0.1, longest_side_units / grid->units_per_m / 10.0);
+    const double longest_side_units = 65534.0, near_units = grid->is_long ? LONG_NEAR_UNITS : longest_side_units / 10.0;
+    return fmin(0.1, near_units / grid->units_per_m);
 }
 
 double lens_default_near_m(const struct grid *grid)

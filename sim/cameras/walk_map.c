@@ -25,6 +25,7 @@ static bool set_solid(struct walk_map *map, struct error *err)
     const struct lim_scene *scene = &map->scene->scene;
     const size_t mem_b = (scene->limits.depth + 1u) * sizeof *map->stack;
     map->stack = grow_zeroed(1, mem_b);
+    if (map->scene->grid.is_long) return error_set(err, "a scene with coordinates of 32 bits stops no walker");
     return !lim_solid_init(&map->solid, scene, map->stack, mem_b) ||
            error_set(err, "a mesh without a tree stops no walker; --tree bsp has one");
 }

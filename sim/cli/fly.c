@@ -3,6 +3,7 @@
  * The camera is kept as the renderer has it, so that an hour of turning does not drift. */
 #include "cli/fly.h"
 
+#include "long.h"
 #include "scene/moving.h"
 
 #include <math.h>
@@ -28,7 +29,7 @@ static void set_body(struct flight *flight)
 static bool set_walls(struct flight *flight, const struct lim_scene *scene, struct error *err)
 {
     const size_t mem_b = scene->limits.depth * sizeof *flight->stack;
-    if (lim_scene_is_mesh(scene)) return true;
+    if (lim_scene_is_mesh(scene) || lim_scene_long(scene)) return true;
     flight->stack = malloc(mem_b + 1);
     return (flight->stack && !lim_solid_init(&flight->solid, scene, flight->stack, mem_b)) ||
            error_set(err, "out of memory");
@@ -37,10 +38,14 @@ static bool set_walls(struct flight *flight, const struct lim_scene *scene, stru
 bool flight_init(struct flight *flight, struct simulator *simulator, const struct lim_scene *scene,
                  const struct lim_camera *camera, const struct grid *grid, struct moving *moving, struct error *err)
 {
-    const double longest_side_units = 65534.0;
+    const double longest_side_units = grid->is_long ? 2.0 * LIM_LONG_END : 65534.0;
     double step_units = fmin(0.1 * grid->units_per_m, longest_side_units / 100.0);
     *flight = (struct flight){
-        .simulator = simulator, .camera = *camera, .step_q8 = fmax(1.0, round(step_units * 256.0)), .moving = moving};
+        .simulator = simulator,
+        .camera = *camera,
+        .step_q8 = fmax(1.0, round(step_units * 256.0)),
+        .is_long = grid->is_long,
+        .moving = moving};
     set_body(flight);
     return set_walls(flight, scene, err);
 }
@@ -79,6 +84,7 @@ static void move(struct flight *flight, const double direction[3])
         return;
     for (int i = 0; i < 3; i++)
         flight->camera.eye_q8[i] = (int32_t)eye_q8[i];
+    if (flight->is_long) lim_camera_carry(&flight->camera);
 }
 
 static void look(struct flight *flight, int32_t step)

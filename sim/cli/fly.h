@@ -27,6 +27,7 @@ struct flight {
     struct simulator *simulator;
     struct lim_camera camera;
     double step_q8;        /* a move, units */
+    bool is_long;          /* the scene is: the camera has an origin */
     struct moving *moving; /* NULL: nothing moves */
     bool began;
     double began_s; /* when the first frame was drawn */

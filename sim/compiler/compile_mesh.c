@@ -102,10 +102,9 @@ static bool is_exact(const struct compile_options *options)
     return options->core && options->core->profile == LIM_PROFILE_EXACT;
 }
 
-/* Units of a long scene are as fine as it wants them. */
 static bool has_fractions(const struct compilation *work)
 {
-    return is_exact(work->options) && !work->mesh->grid.is_long;
+    return is_exact(work->options) || work->mesh->grid.has_fractions;
 }
 
 /* A convex solid is drawn as a whole: bounds of its parts would only take flash. Those of all of it,

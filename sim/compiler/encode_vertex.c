@@ -25,14 +25,14 @@ static void vertex_add(struct vertex_encoder *encoder, struct grid_point point)
         units[k] = (int)floor((double)point.q8[k] / 256.0 + 0.5);
         rest_q8[k] = (int)(point.q8[k] - (int64_t)units[k] * 256);
     }
-    if (out->is_long) {
-        long_vertex_add(out, units);
-        return;
-    }
     if (encoder->with_fractions) {
         out->fractions = grow(out->fractions, out->vertex_count, &out->fraction_capacity, sizeof *out->fractions);
         out->fractions[out->vertex_count] =
             (struct lim_fraction){(int8_t)rest_q8[0], (int8_t)rest_q8[1], (int8_t)rest_q8[2]};
+    }
+    if (out->is_long) {
+        long_vertex_add(out, units);
+        return;
     }
     out->vertices = grow(out->vertices, out->vertex_count, &out->vertex_capacity, sizeof *out->vertices);
     out->vertices[out->vertex_count++] = (struct lim_vertex){(int16_t)units[0], (int16_t)units[1], (int16_t)units[2]};

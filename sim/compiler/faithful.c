@@ -207,7 +207,7 @@ static struct judging judging_of(const struct mesh *mesh, const struct compile_o
     struct judging judging = {.original = mesh->original,
                               .mesh = mesh,
                               .scene = scene,
-                              .has_fractions = is_exact(options),
+                              .has_fractions = is_exact(options) || mesh->grid.has_fractions,
                               .seen_m = FAITHFUL_PIXEL * (is_chosen ? options->near_m : lens_usual_near_m(&mesh->grid)),
                               .cut_m = is_chosen || options->drop_small ? 0.0 : forced_m};
     if (!scene) return judging;

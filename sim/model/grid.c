@@ -10,7 +10,8 @@
 
 static const double GRID_SPAN_UNITS = 65534; /* -32767 .. 32767 */
 static const double LONG_SPAN_UNITS = 1073741820; /* 2^30, less what rounding adds */
-static const double UNITS_A_FACE = 1024;          /* of the smallest one, on a long grid */
+static const double UNITS_A_FACE = 4096;          /* of the smallest one, on a long grid */
+static const double FINER_THAN_SHORT = 16;
 static const double SQUEEZE = 1000;          /* leaves the rest of the model 65 units or less */
 static const double FLAT_UNITS = 0.5;        /* what rounding to the grid does anyway */
 
@@ -239,7 +240,9 @@ bool grid_choose_long(const struct model *model, struct grid *grid, struct error
     *grid = (struct grid){.is_long = true};
     for (int axis = 0; axis < 3; axis++)
         grid->origin_m[axis] = all.low[axis] + (all.high[axis] - all.low[axis]) / 2;
-    grid->units_per_m = fmin(LONG_SPAN_UNITS / longest_m, UNITS_A_FACE / least_face_m(model));
+    const double wanted = fmax(UNITS_A_FACE / least_face_m(model), FINER_THAN_SHORT * GRID_SPAN_UNITS / longest_m);
+    grid->units_per_m = fmin(LONG_SPAN_UNITS / longest_m, wanted);
+    grid->has_fractions = grid->units_per_m < wanted;
     return true;
 }
 

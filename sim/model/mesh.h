@@ -13,7 +13,8 @@
 struct grid {
     double origin_m[3];
     double units_per_m;
-    bool is_long; /* coordinates have 32 bits: firmware/long.h */
+    bool is_long;       /* coordinates have 32 bits: firmware/long.h */
+    bool has_fractions; /* these do not do for the smallest faces: vertices have fractions in any profile */
 };
 
 struct mesh_polygon {

@@ -115,4 +115,5 @@ void pool_search_report(const struct pool_search_result *result, const struct gr
     memcpy(out->eye_m, viewpoint.eye_m, sizeof out->eye_m);
     memcpy(out->target_m, viewpoint.target_m, sizeof out->target_m);
     memcpy(out->eye_q8, camera.eye_q8, sizeof out->eye_q8);
+    memcpy(out->origin, camera.origin, sizeof out->origin);
 }

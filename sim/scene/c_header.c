@@ -76,6 +76,20 @@ static void write_number(FILE *file, const char *macro, const char *suffix, doub
     fprintf(file, "#define %s_%s %s%s\n", macro, suffix, digits, strpbrk(digits, ".e") ? "" : ".0");
 }
 
+/* Places of a long scene take 32 bits without any fraction; ways from there have 8. */
+static void write_long_metres(FILE *file, const char *macro)
+{
+    fprintf(file,
+            "/* Of metres that are constants: units with 8 fraction bits of a length of up to 2^23 units; units of a place,\n"
+            " * and of a point, which initialises int32_t[3]: lim_camera.origin, from which eye_q8 counts. */\n"
+            "#define %s_M_Q8(metres) LIM_UNITS_Q8((metres)*%s_UNITS_PER_M)\n",
+            macro, macro);
+    for (int i = 0; i < 3; i++)
+        fprintf(file, "#define %s_%c(metres) LIM_UNITS(((metres) - (%s_ORIGIN_%c_M)) * %s_UNITS_PER_M)\n", macro, "XYZ"[i],
+                macro, "XYZ"[i], macro);
+    fprintf(file, "#define %s_POINT(x_m, y_m, z_m) {%s_X(x_m), %s_Y(y_m), %s_Z(z_m)}\n", macro, macro, macro, macro);
+}
+
 /* Places and lengths of the model's world: the compiler has both numbers, so none of it is left for the processor. */
 static void write_metres(FILE *file, const struct compiled *scene, const char *macro)
 {
@@ -83,6 +97,10 @@ static void write_metres(FILE *file, const struct compiled *scene, const char *m
     write_number(file, macro, "UNITS_PER_M", scene->grid.units_per_m);
     for (int i = 0; i < 3; i++)
         write_number(file, macro, origins[i], scene->grid.origin_m[i]);
+    if (scene->grid.is_long) {
+        write_long_metres(file, macro);
+        return;
+    }
     fprintf(
         file,
         "/* Of metres that are constants, units with 8 fraction bits: of a length, of a place, and of a point, which\n"
@@ -105,7 +123,7 @@ static void write_lines(FILE *file, const struct compiled *scene, const char *ma
 }
 
 /* What a program may draw to see its slowest frame. */
-static void write_worst(FILE *file, const struct compile_report *report, const char *macro)
+static void write_worst(FILE *file, const struct compile_report *report, bool is_long, const char *macro)
 {
     const struct worst_report *worst = &report->worst;
     if (!worst->tried) return;
@@ -118,6 +136,9 @@ static void write_worst(FILE *file, const struct compile_report *report, const c
         fprintf(file, "#define %s_WORST_M0PLUS_INSTRUCTIONS %.0f /* predicted; searched */\n", macro, worst->work);
     fprintf(file, "#define %s_WORST_EYE_Q8 {%ld, %ld, %ld}\n", macro, (long)worst->eye_q8[0], (long)worst->eye_q8[1],
             (long)worst->eye_q8[2]);
+    if (is_long)
+        fprintf(file, "#define %s_WORST_ORIGIN {%ld, %ld, %ld}\n", macro, (long)worst->origin[0], (long)worst->origin[1],
+                (long)worst->origin[2]);
     fprintf(file, "#define %s_WORST_YAW UINT32_C(%lu)\n#define %s_WORST_PITCH UINT32_C(%lu)\n", macro,
             (unsigned long)worst->yaw, macro, (unsigned long)worst->pitch);
     if (worst->time_s > 0.0) fprintf(file, "#define %s_WORST_TIME_MS %.0f\n", macro, 1000.0 * worst->time_s);
@@ -180,7 +201,7 @@ static void write_scene(FILE *file, const struct named_scene *named, const struc
     write_metres(file, scene, macro);
     write_memory(file, scene, needs, macro);
     write_lines(file, scene, macro);
-    write_worst(file, &scene->report, macro);
+    write_worst(file, &scene->report, scene->grid.is_long, macro);
     fprintf(file, "\nextern const struct lim_scene %s_scene LIM_AGREES(%s_scene);\n", name->symbol, name->symbol);
     if (named->moving) c_movers_declare(file, named, name);
     write_block(file, name, named->moving != NULL);

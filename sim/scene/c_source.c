@@ -95,7 +95,8 @@ static void write_long(FILE *file, const struct lim_scene *scene, const struct c
     fprintf(file, "\nstatic const struct lim_long %s_of_32_bits = {", prefix->symbol);
     fprintf(file, "%s_vertices, ", prefix->symbol);
     fprintf(file, scene->plane_count ? "%s_planes, " : "NULL, ", prefix->symbol);
-    fprintf(file, scene->box_count ? "%s_boxes};\n" : "NULL};\n", prefix->symbol);
+    fprintf(file, scene->box_count ? "%s_boxes, " : "NULL, ", prefix->symbol);
+    fprintf(file, scene->fractions ? "%s_fractions};\n" : "NULL};\n", prefix->symbol);
 }
 
 static void write_fractions(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
@@ -353,11 +354,11 @@ static void write_source(FILE *file, const struct named_scene *named, const stru
     const bool is_long = lim_scene_long(arrays) != NULL;
     fputs("#define NONE LIM_NO_INDEX\n", file);
     fputs(is_long ? "#define AT(plane) (plane)\n" : "#define AT(plane) ((plane)*LIM_PLANE_WORDS)\n", file);
+    if (arrays->fractions) write_fractions(file, arrays, prefix);
     if (is_long)
         write_long(file, arrays, prefix);
     else
         write_vertices(file, arrays, prefix);
-    if (arrays->fractions) write_fractions(file, arrays, prefix);
     if (arrays->node_count) write_nodes(file, arrays, prefix);
     if (arrays->plane_count && !is_long) write_planes(file, arrays, prefix);
     if (arrays->exact_count) write_exact(file, arrays, prefix);

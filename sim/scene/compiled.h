@@ -92,7 +92,7 @@ struct worst_report {
     double work, work_mean, work_random; /* of it, of random cameras, of the worst of these: instructions where
                                             report.instructions are known */
     double eye_m[3], target_m[3], time_s;
-    int32_t eye_q8[3]; /* the same as the renderer has it */
+    int32_t eye_q8[3], origin[3]; /* the same as the renderer has it */
     uint32_t yaw, pitch;
     unsigned cells, gaps, active; /* most that any view takes of these pools; not all of them this one */
 };

@@ -115,7 +115,8 @@ static void bind_long(void *image, struct compiled *scene)
     if (!scene->of_32_bits) scene->of_32_bits = grow_zeroed(1, sizeof *scene->of_32_bits);
     *scene->of_32_bits = (struct lim_long){.vertices = section_at(image, SECTION_VERTICES),
                                            .planes = section_at(image, SECTION_PLANES),
-                                           .boxes = section_at(image, SECTION_BOXES)};
+                                           .boxes = section_at(image, SECTION_BOXES),
+                                           .fractions = scene->scene.fractions};
     scene->scene.vertices = NULL;
     scene->scene.planes = NULL;
     scene->scene.boxes = NULL;
