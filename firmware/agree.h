@@ -21,6 +21,8 @@ LIM_STATIC_ASSERT(!(LIM_HAS_LIGHT || LIM_HAS_DEFORM) || LIM_HAS_MOVERS,
                   "LIM_HAS_LIGHT and LIM_HAS_DEFORM need LIM_HAS_MOVERS");
 LIM_STATIC_ASSERT(!LIM_HAS_WIDE || SIZE_MAX > 0xFFFF,
                   "LIM_HAS_WIDE: a processor whose sizes have 16 bits has no room for such a scene");
+LIM_STATIC_ASSERT(!LIM_HAS_LONG || (LIM_HAS_TREE && !LIM_8_BIT),
+                  "LIM_HAS_LONG needs an order that walks the tree, and a processor of 32 bits");
 LIM_STATIC_ASSERT(!LIM_HAS_LARGE || LIM_HAS_SLANTED, "LIM_HAS_LARGE needs LIM_HAS_SLANTED");
 LIM_STATIC_ASSERT(!LIM_HAS_MASKED || (LIM_HAS_TEXTURE && LIM_HAS_TRANSPARENT),
                   "LIM_HAS_MASKED needs LIM_HAS_TEXTURE and LIM_HAS_TRANSPARENT");
@@ -91,6 +93,7 @@ LIM_STATIC_ASSERT(LIM_MAX_VERTICES >= 3 && LIM_MAX_VERTICES <= 250, "LIM_MAX_VER
     LIM_AGREED(LIM_HAS_SLANTED, ".slanted")                                                                            \
     LIM_AGREED(LIM_HAS_LARGE, ".large")                                                                                \
     LIM_AGREED(LIM_HAS_WIDE, ".wide")                                                                                  \
+    LIM_AGREED(LIM_HAS_LONG, ".long")                                                                                  \
     LIM_AGREED(LIM_HAS_LEAVES, ".leaves")                                                                              \
     LIM_AGREED(LIM_HAS_MESH_LEAVES, ".mesh_leaves")                                                                    \
     LIM_AGREED(LIM_HAS_TRANSPARENT, ".transparent")                                                                    \
