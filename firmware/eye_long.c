@@ -68,8 +68,8 @@ static inline uint8_t filter_shift(uint32_t size)
         const uint8_t zeros = clz_u32(size | 1);
         return zeros < 32 - FILTER_BITS ? (uint8_t)(32 - FILTER_BITS - zeros) : 0;
     }
-    uint8_t shift = 0;
-    for (; size >> FILTER_BITS; size >>= 4)
+    uint8_t shift = size >> (FILTER_BITS + 5) ? 8 : 0;
+    for (size >>= shift; size >> FILTER_BITS; size >>= 4)
         shift += 4;
     return shift;
 }

@@ -2,6 +2,7 @@
 #include "cli/compile_request.h"
 
 #include "base/grow.h"
+#include "base/notice.h"
 #include "base/parse.h"
 #include "compiler/compile.h"
 #include "compiler/portal_choice.h"
@@ -327,17 +328,31 @@ void compile_result_report(const struct compile_request *request, const struct c
     print_effort();
 }
 
-/* The precision that the bound asks for; evidence goes to standard output. */
-static bool choose(struct compile_request *request, struct error *err)
+static bool choose_among_cores(struct compile_request *request, struct error *err)
 {
     struct choice choice;
-    if (!has_bound(request)) return true;
-    request->compile.wrong_percent = fmax(request->bound.wrong_percent, 0.0);
     const bool ok = choose_core(request->models[0], &request->compile, &request->bound, &choice, err);
     if (choice.frames) choice_print(&choice, &request->bound, stdout);
     fflush(stdout); /* the import forks */
     request->compile.core = choice.core;
     return ok;
+}
+
+/* The precision that the bound asks for, and more bits where none will do; evidence goes to standard output. */
+static bool choose(struct compile_request *request, struct error *err)
+{
+    if (!has_bound(request)) return true;
+    request->compile.wrong_percent = fmax(request->bound.wrong_percent, 0.0);
+    if (choose_among_cores(request, err)) return true;
+    if (request->compile.coordinates != COORDINATES_AUTO) return false;
+    struct error ignored;
+    request->compile.coordinates = COORDINATES_32;
+    if (choose_among_cores(request, &ignored)) {
+        notice("%s: coordinates have 32 bits: with 16 no precision errs as little", request->models[0]);
+        return true;
+    }
+    request->compile.coordinates = COORDINATES_AUTO;
+    return false;
 }
 
 bool compile_request_run(struct compile_request *request, struct compile_result *out, struct error *err)

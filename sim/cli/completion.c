@@ -212,7 +212,7 @@ static void put_values(FILE *out)
     fputs("' ;;\n    --mesh-leaves) words='", out);
     for (size_t i = 0; i <= MESH_LEAVES_ALL; i++)
         fprintf(out, "%s ", mesh_leaves_names[i]);
-    fputs("' ;;\n", out);
+    fputs("' ;;\n    --coordinates) words='auto 16 32' ;;\n", out);
     put_told_values(out);
 }
 

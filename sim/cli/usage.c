@@ -112,13 +112,18 @@ static const struct usage_entry ENTRIES[] = {
      "  --mesh-leaves WHICH dense parts of a tree that no plane divides, ordered by distance: approximate; all of\n"
      "                      those that may be, none, or auto: where method and tree are open, those that cost less\n"
      "                      and err no more than the precision promises (auto; render, view: none)\n"},
+    {SCENES | MEASURE | ONE,
+     "  --coordinates BITS  16; 32 for scenes of many scales, in which the smallest face is 2^16 times smaller than\n"
+     "                      all of it, or less; or auto: 32 where 16 would lose faces, or with --max-error err more\n"
+     "                      (auto)\n"},
     {SCENES | MEASURE | COMPARE | ONE,
      "  --splitter NAME     which polygon's plane divides: first, fewest, balanced, weighted, sampled,\n"
      "                      or the best of fewest and all weights: auto (auto)\n"},
     {SCENES | SPLITTERS, "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"},
     {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS | ONE,
      "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; compile, render, view: that of --panel)\n"},
-    {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km)\n"},
+    {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km;\n"
+     "                      less with coordinates of 32 bits: 16 units)\n"},
     {MODELS | WALK,
      "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
     {MODELS | WALK,

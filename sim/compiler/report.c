@@ -162,6 +162,8 @@ static void print_tree(const struct compiled *scene)
     if (report->leaves && report->tree != TREE_NONE) print_count("  leaves with an order", report->leaves);
     if (report->mesh_leaves) print_count("  mesh leaves, by distance", report->mesh_leaves);
     printf("  %-28s %8.1f\n", "units per metre", scene->grid.units_per_m);
+    if (scene->grid.is_long)
+        printf("  %-28s %8s%s\n", "coordinates", "32 bits", scene->scene.fractions ? ", and 8 of fractions" : "");
     if (report->tree != TREE_MESH)
         printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);

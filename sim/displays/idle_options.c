@@ -88,6 +88,7 @@ static const struct idle_option {
     {"mesh-leaves", OF_SCENE, is_compiled, "", " is compiled already"},
     {"mesh-leaves", OF_SCENE, is_set, "no tree holds the set of ", ""},
     {"mesh-leaves", OF_SCENE, is_mesh, "no tree holds the mesh of ", ""},
+    {"coordinates", OF_SCENE, is_compiled, "", " is compiled already"},
     {"unlit", OF_SCENE, is_compiled, "", " is compiled already"},
     {"drop-small", OF_SCENE, is_compiled, "", " is compiled already"},
     {"background", OF_SCENE, is_compiled, "", " is compiled already"},
