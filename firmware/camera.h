@@ -52,6 +52,11 @@ struct lim_camera {
 };
 LIM_OPTIONAL_END
 
+/* lim_look_at() and lim_orbit() in a scene of many scales: eye, target and radius in whole units, below 2^30. The eye is
+ * where they put it, to a unit; it is in origin, and eye_q8 is 0. */
+void lim_look_at_far(struct lim_camera *camera, const int32_t eye[3], const int32_t target[3]);
+void lim_orbit_far(struct lim_camera *camera, const int32_t target[3], int32_t radius, uint32_t yaw, uint32_t pitch);
+
 /* In a scene of many scales: whole units go from eye_q8 to origin, where there is room for more. After each step of a
  * camera that goes far. */
 void lim_camera_carry(struct lim_camera *camera);

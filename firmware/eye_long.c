@@ -5,7 +5,7 @@
  * The filter has the way d from the eye to v in 16 bits, |d| <= 2^15, and the upper 16 bits m of n, |m| <= 2^14. Let
  * n = 2^16 (m + f), 0 <= f < 1 in each component. The way is 2^s (d + g) units: -1 < g < 1 for what is shifted out and for
  * the eye's fraction. Then n . way / 2^(16 + s) is m . d, off by f . d + m . g + f . g: below 3 * 2^15 + 3 * 2^14 + 3. The
- * rest, shifted likewise, is off by less than 1. SLACK is more than all of that; what is beyond it is decided. The other
+ * rest, shifted likewise, is off by less than 1. LONG_SLACK is more than all of that; what is beyond it is decided. The other
  * sums are exact. */
 #include "eye.h"
 
@@ -13,8 +13,8 @@
 
 #if LIM_HAS_LONG
 
-enum { FILTER_BITS = 15 };
-#define SLACK (INT32_C(1) << 18)
+enum { LONG_FILTER_BITS = 15 };
+#define LONG_SLACK (INT32_C(1) << 18)
 
 bool lim_eye_set_long(struct lim_eye *eye, const struct lim_scene *scene, const struct lim_camera *camera)
 {
@@ -31,6 +31,27 @@ bool lim_eye_set_long(struct lim_eye *eye, const struct lim_scene *scene, const 
     return true;
 }
 
+/* What was put by whole units. */
+static void become_far(struct lim_camera *camera)
+{
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        camera->origin[i] = camera->eye_q8[i];
+        camera->eye_q8[i] = 0;
+    }
+}
+
+void lim_look_at_far(struct lim_camera *camera, const int32_t eye[3], const int32_t target[3])
+{
+    lim_look_at(camera, eye, target);
+    become_far(camera);
+}
+
+void lim_orbit_far(struct lim_camera *camera, const int32_t target[3], int32_t radius, uint32_t yaw, uint32_t pitch)
+{
+    lim_orbit(camera, target, radius, yaw, pitch);
+    become_far(camera);
+}
+
 void lim_camera_carry(struct lim_camera *camera)
 {
     for (uint_fast8_t i = 0; i < 3; i++) {
@@ -40,7 +61,7 @@ void lim_camera_carry(struct lim_camera *camera)
 }
 
 /* n . (e - v) is below 3 * 2^30 * 1.5 * 2^30 < 2^63. Its fractions may carry. */
-static LIM_RARE int32_t exact_side(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
+static LIM_RARE int32_t exact_long_side(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
                                    const LIM_FLASH struct lim_long_vertex *vertex)
 {
     int64_t whole = -(int64_t)plane->rest, rest_q8 = 0;
@@ -61,15 +82,15 @@ static int32_t side_of_axis(const struct lim_long_eye *eye, const LIM_FLASH stru
     return whole ? whole : eye->fraction_q8[axis];
 }
 
-/* So that numbers of that size have FILTER_BITS; some less where leading zeros would have to be searched for. */
+/* So that numbers of that size have LONG_FILTER_BITS; some less where leading zeros would have to be searched for. */
 static inline uint8_t filter_shift(uint32_t size)
 {
     if (LIM_HAS_CLZ) {
         const uint8_t zeros = clz_u32(size | 1);
-        return zeros < 32 - FILTER_BITS ? (uint8_t)(32 - FILTER_BITS - zeros) : 0;
+        return zeros < 32 - LONG_FILTER_BITS ? (uint8_t)(32 - LONG_FILTER_BITS - zeros) : 0;
     }
-    uint8_t shift = size >> (FILTER_BITS + 5) ? 8 : 0;
-    for (size >>= shift; size >> FILTER_BITS; size >>= 4)
+    uint8_t shift = size >> (LONG_FILTER_BITS + 5) ? 8 : 0;
+    for (size >>= shift; size >> LONG_FILTER_BITS; size >>= 4)
         shift += 4;
     return shift;
 }
@@ -89,8 +110,8 @@ int32_t lim_eye_long_side(const struct lim_eye *eye, const LIM_FLASH struct lim_
     sum += (plane->n[0] >> 16) * (x >> shift);
     sum += (plane->n[1] >> 16) * (y >> shift);
     sum += (plane->n[2] >> 16) * (z >> shift);
-    if (sum >= SLACK || sum <= -SLACK) return -sum;
-    return exact_side(from, plane, vertex);
+    if (sum >= LONG_SLACK || sum <= -LONG_SLACK) return -sum;
+    return exact_long_side(from, plane, vertex);
 }
 
 void lim_eye_long_box(const struct lim_eye *eye, const LIM_FLASH struct lim_long_box *box, struct lim_box *out)

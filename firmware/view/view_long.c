@@ -18,7 +18,7 @@
 
 enum { LIMB_BITS = 15, SUM_BITS = 32, DOT_EXPONENT = SUM_BITS - LIMB_BITS };
 
-static int32_t dot(const struct lim_row *row, const int32_t way[3])
+static int32_t long_dot(const struct lim_row *row, const int32_t way[3])
 {
     int64_t sum = 0;
 
@@ -31,7 +31,7 @@ static int32_t dot(const struct lim_row *row, const int32_t way[3])
 
 enum { DOT_EXPONENT = 16 };
 
-static inline int32_t dot(const struct lim_row *row, const int32_t way[3])
+static inline int32_t long_dot(const struct lim_row *row, const int32_t way[3])
 {
     int32_t sum = 0;
 
@@ -49,7 +49,7 @@ static inline int32_t dot(const struct lim_row *row, const int32_t way[3])
 
 #endif
 
-static inline void transform(const struct lim_rows *rows, lim_index vertex, struct lim_view_point *out)
+static inline void long_transform(const struct lim_rows *rows, lim_index vertex, struct lim_view_point *out)
 {
     const struct lim_long *all = rows->eye->all;
     const LIM_FLASH struct lim_fraction *fraction = all->fractions ? &all->fractions[vertex] : NULL;
@@ -58,17 +58,17 @@ static inline void transform(const struct lim_rows *rows, lim_index vertex, stru
     lim_relative_set(&way, rows->eye, &all->vertices[vertex], fraction);
     LIM_UNROLLED(3)
     for (uint_fast8_t i = 0; i < 3; i++)
-        out->qv[i] = dot(&rows->row[i], way.d);
+        out->qv[i] = long_dot(&rows->row[i], way.d);
     if (!LIM_HAS_LIMBS) out->z_qv = (out->z_qv + rows->row[2].shift_qv) >> rows->tele_bits;
     *out->exponent = (int8_t)(way.exponent + DOT_EXPONENT);
 }
 
 void lim_view_transform_long(const struct lim_view *view, lim_index vertex, struct lim_view_point *out)
 {
-    transform(&view->rows, vertex, out);
+    long_transform(&view->rows, vertex, out);
 }
 
-static inline void project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
+static inline void long_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
 {
     const struct lim_depth depth = perspective_depth(point->z_qv);
 
@@ -85,11 +85,11 @@ void lim_view_project_long(const struct lim_view *view, const struct lim_view_po
 
     for (uint_fast8_t i = 0; i < 3; i++)
         scaled.qv[i] = (int32_t)((uint32_t)point->qv[i] << up);
-    project(view, &scaled, out);
+    long_project(view, &scaled, out);
 }
 
 /* As codes_outside() of view.c has them. */
-static LIM_RARE uint8_t codes_outside(const struct lim_view_point *point, int32_t near_qv)
+static LIM_RARE uint8_t long_codes(const struct lim_view_point *point, int32_t near_qv)
 {
     const int32_t x_qv = (int32_t)abs_s32(point->x_qv), y_qv = (int32_t)abs_s32(point->y_qv), z_qv = point->z_qv;
     const int32_t margin_qv = LIM_SUB_BITS || z_qv < 0 ? 0 : z_qv >> LIM_DRAFT_MARGIN_BITS;
@@ -102,7 +102,7 @@ static LIM_RARE uint8_t codes_outside(const struct lim_view_point *point, int32_
     return codes;
 }
 
-static inline bool is_seen(const struct lim_view_point *point, int32_t near_qv)
+static inline bool is_long_seen(const struct lim_view_point *point, int32_t near_qv)
 {
     const int32_t z_qv = point->z_qv;
 
@@ -114,11 +114,11 @@ void lim_view_remember_long(struct lim_view *view, lim_index vertex, struct lim_
 {
     struct lim_view_point point;
 
-    transform(&view->rows, vertex, &point);
-    const uint8_t codes = is_seen(&point, view->rows.near_qv) ? 0 : codes_outside(&point, view->rows.near_qv);
+    long_transform(&view->rows, vertex, &point);
+    const uint8_t codes = is_long_seen(&point, view->rows.near_qv) ? 0 : long_codes(&point, view->rows.near_qv);
     entry->vertex = vertex;
     entry->codes = (lim_view_code_bits)(LIM_8_BIT ? codes : lim_view_both(codes));
-    if (!(codes & LIM_VIEW_GUARD)) project(view, &point, &entry->at);
+    if (!(codes & LIM_VIEW_GUARD)) long_project(view, &point, &entry->at);
     if (LIM_HAS_STATS) view->vertices++;
 }
 

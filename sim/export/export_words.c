@@ -87,8 +87,13 @@ static bool add_sources(const struct export_plan *plan, struct export_words *wor
     return true;
 }
 
-static void add_orbit(const struct export_orbit *orbit, struct export_words *words)
+/* Orbits of long scenes are in whole units, which 32 bits hold. */
+static void add_orbit(const struct export_orbit *orbit, bool is_long, struct export_words *words)
 {
+    add_word(words, "orbit", "%s", is_long ? "lim_orbit_far" : "lim_orbit");
+    add_word(words, "target", "%s", is_long ? "target" : "target_q8");
+    add_word(words, "POINT", "%s", is_long ? "POINT" : "POINT_Q8");
+    add_word(words, "LENGTH", "%s", is_long ? "UNITS" : "M_Q8");
     add_word(words, "TARGET_M", "%.9g, %.9g, %.9g", orbit->target_m[0], orbit->target_m[1], orbit->target_m[2]);
     add_word(words, "ORBIT_M", "%.6g", orbit->radius_m);
     add_word(words, "PITCH", "%.0f", -orbit->elevation_deg);
@@ -159,7 +164,7 @@ bool export_words_init(struct export_words *words, const struct export_plan *pla
     add_word(words, "ram_b", "%zu", cost.ram_b);
     add_conditions(plan, words);
     add_selects(plan, words);
-    add_orbit(&orbit, words);
+    add_orbit(&orbit, plan->scenes[0].scene->grid.is_long, words);
     if (add_sources(plan, words, err)) return true;
     export_words_free(words);
     return false;

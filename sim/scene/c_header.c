@@ -80,10 +80,11 @@ static void write_number(FILE *file, const char *macro, const char *suffix, doub
 static void write_long_metres(FILE *file, const char *macro)
 {
     fprintf(file,
-            "/* Of metres that are constants: units with 8 fraction bits of a length of up to 2^23 units; units of a place,\n"
-            " * and of a point, which initialises int32_t[3]: lim_camera.origin, from which eye_q8 counts. */\n"
+            "/* Of metres that are constants: units with 8 fraction bits of a length of up to 2^23 units; units of any, of a\n"
+            " * place, and of a point, which initialises int32_t[3]: lim_camera.origin, from which eye_q8 counts. */\n"
             "#define %s_M_Q8(metres) LIM_UNITS_Q8((metres)*%s_UNITS_PER_M)\n",
             macro, macro);
+    fprintf(file, "#define %s_UNITS(metres) LIM_UNITS((metres)*%s_UNITS_PER_M)\n", macro, macro);
     for (int i = 0; i < 3; i++)
         fprintf(file, "#define %s_%c(metres) LIM_UNITS(((metres) - (%s_ORIGIN_%c_M)) * %s_UNITS_PER_M)\n", macro, "XYZ"[i],
                 macro, "XYZ"[i], macro);
