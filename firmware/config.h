@@ -199,6 +199,10 @@
 #ifndef LIM_HAS_SKY
 #define LIM_HAS_SKY LIM_HAS_TEXTURE
 #endif
+/* Lenses with a tangent below LIM_TAN_TELE_Q28 (camera.h) are as exact as others. */
+#ifndef LIM_HAS_TELE
+#define LIM_HAS_TELE 1
+#endif
 /* 1: lim_set_wireframe() is there. */
 #ifndef LIM_HAS_WIREFRAME
 #define LIM_HAS_WIREFRAME 1

@@ -22,7 +22,7 @@ static const double TIME_MAX_S = 4e6;         /* in milliseconds 32 bits hold it
 static const double EYE_END_Q8 = 268435456.0; /* 2^28, exclusive */
 static const double NEAR_MAX_Q8 = 16777216.0; /* 2^24 */
 static const double DEFAULT_FOV_DEG = 60.0;
-static const double TANGENT_MIN = 1.0 / 64.0, TANGENT_MAX = 4.0;
+static const double TANGENT_MIN = 1.0 / 2048.0, TANGENT_LONG = 1.0 / 8.0, TANGENT_MAX = 4.0; /* camera.h */
 
 static void viewpoint_direction(const struct viewpoint *viewpoint, double direction[3])
 {
@@ -346,12 +346,17 @@ bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, 
     return true;
 }
 
+bool lens_is_long(const struct lens *lens)
+{
+    return fmin(lens->tan_x, lens->tan_y) < TANGENT_LONG;
+}
+
 /* camera.h: 2^-16 of the far end's distance, which is 65534 units times what rows.c takes for the root of three at
  * most; and a little more for the choice among scales. */
 double lens_least_near_m(const struct lens *lens, const struct grid *grid)
 {
-    const double diagonals = 1.75;
-    return diagonals / fmin(1.0, fmin(lens->tan_x, lens->tan_y)) / grid->units_per_m;
+    const double diagonals = 1.75, narrow = fmin(1.0, fmin(lens->tan_x, lens->tan_y));
+    return diagonals / (lens_is_long(lens) ? 0.5 : narrow) / grid->units_per_m;
 }
 
 double lens_usual_near_m(const struct grid *grid)

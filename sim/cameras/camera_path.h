@@ -61,8 +61,11 @@ void camera_path_free(struct camera_path *path);
 /* fov_deg is vertical; pixels are square. Refuses what struct lim_camera cannot hold. */
 bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, unsigned h_px, struct error *err);
 
+/* Whether it takes LIM_HAS_TELE to draw as exactly through it as through others (camera.h). */
+bool lens_is_long(const struct lens *lens);
+
 /* How near the near plane may be for the renderer to have it there, for any eye within the grid (camera.h): some units
- * of the grid, more for a narrow lens. */
+ * of the grid, more for a narrow lens that is not a long one. */
 double lens_least_near_m(const struct lens *lens, const struct grid *grid);
 
 /* 0.1 m; a tenth of the longest side of a scene smaller than a metre. */
