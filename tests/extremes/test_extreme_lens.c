@@ -36,7 +36,8 @@ static void every_field_of_view_from_1_to_150_degrees(void **state)
         const struct extreme_plan plan = {
             name, about, {120, 120, lenses_deg[i], 4}, boxes_add_jumble, look_from_anywhere, 100, true};
         snprintf(name, sizeof name, "fov-%d", lenses_deg[i]);
-        snprintf(about, sizeof about, "The lens sees %d degrees from top to bottom", lenses_deg[i]);
+        snprintf(about, sizeof about, "The lens sees %d degree%s from top to bottom", lenses_deg[i],
+                 lenses_deg[i] == 1 ? "" : "s");
         extreme_run(&plan);
     }
 }
