@@ -230,7 +230,7 @@ static inline void perspective_zoom(int32_t *x_qv, struct lim_depth *depth, uint
     } else if (depth->shift > zoom_bits) {
         depth->shift -= zoom_bits;
     } else {
-        *x_qv *= (int32_t)1 << (zoom_bits + 1 - depth->shift);
+        *x_qv *= (int32_t)1 << (zoom_bits + 1u - depth->shift);
         depth->shift = 1;
     }
 }
