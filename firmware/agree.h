@@ -100,6 +100,7 @@ LIM_STATIC_ASSERT(LIM_MAX_VERTICES >= 3 && LIM_MAX_VERTICES <= 250, "LIM_MAX_VER
     LIM_AGREED(LIM_HAS_TEXTURE, ".texture")                                                                            \
     LIM_AGREED(LIM_HAS_MASKED, ".masked")                                                                              \
     LIM_AGREED(LIM_HAS_SKY, ".sky")                                                                                    \
+    LIM_AGREED(LIM_HAS_TELE, ".tele")                                                                                  \
     LIM_AGREED(LIM_HAS_WIREFRAME, ".wireframe")                                                                        \
     LIM_AGREED(LIM_HAS_ANTIALIAS, ".antialias")                                                                        \
     LIM_AGREED(LIM_HAS_DELTA, ".delta")                                                                                \

@@ -27,8 +27,12 @@ int32_t lim_cos_q30(uint32_t angle);
  * of the truth, exact at multiples of an eighth of a turn, and 0 of (0, 0). lim_atan2(-y, x) is -lim_atan2(y, x). */
 uint32_t lim_atan2(int32_t y, int32_t x);
 
-#define LIM_TAN_MIN_Q28 (UINT32_C(1) << 22) /* 1/64 */
-#define LIM_TAN_MAX_Q28 (UINT32_C(1) << 30) /* 4: half an angle of 152 degrees */
+/* Of a lens that is narrower than LIM_TAN_TELE_Q28 in either direction z has more bits than x and y, and corners are
+ * where they belong, if LIM_HAS_TELE is 1. If it is 0, the picture is shifted in profiles draft and fast, by up to half
+ * a pixel of 240 at 1/64, and the near plane is farther away. */
+#define LIM_TAN_MIN_Q28 (UINT32_C(1) << (LIM_HAS_TELE ? 17 : 22)) /* 1/2048, or 1/64 */
+#define LIM_TAN_TELE_Q28 (UINT32_C(1) << 25)                      /* 1/8: an angle of 14 degrees */
+#define LIM_TAN_MAX_Q28 (UINT32_C(1) << 30)                       /* 4: half an angle of 152 degrees */
 #define LIM_NEAR_MAX_Q8 (INT32_C(1) << 24)
 
 /* A constant number of units, with 8 fraction bits, rounded to nearest. */
@@ -42,10 +46,11 @@ LIM_OPTIONAL_BEGIN
 struct lim_camera {
     int32_t eye_q8[3]; /* units with 8 fraction bits, |eye_q8| < 2^28 */
     uint32_t yaw, pitch, roll;
-    uint32_t tan_x_q28, tan_y_q28; /* tangents of the half-angles of view, 1/64..4 */
+    uint32_t tan_x_q28, tan_y_q28; /* tangents of the half-angles of view, LIM_TAN_MIN_Q28..LIM_TAN_MAX_Q28 */
     /* Distance of the near plane, units: 1..2^24 (1/256 to 65536). The one in use is never nearer than
      * 2^-16 / min(1, tan_x, tan_y) of the distance of the scene's far end, nor than 1 unit: less than 2 units
-     * for an eye within the grid and a lens of 90 degrees. Nearer by, z has too few bits to divide by. */
+     * for an eye within the grid and a lens of 90 degrees. Nearer by, z has too few bits to divide by. Of lenses below
+     * LIM_TAN_TELE_Q28, with LIM_HAS_TELE, it may be as near as 2^-15 of that distance, and 2 units. */
     int32_t near_q8;
     /* In a scene of many scales (long.h): where eye_q8 counts from, units; eye and origin together are below 2^30. */
     LIM_OPTIONAL(int32_t, origin, 3 * LIM_HAS_LONG);
@@ -74,7 +79,7 @@ void lim_look_at(struct lim_camera *camera, const int32_t eye_q8[3], const int32
 void lim_orbit(struct lim_camera *camera, const int32_t target_q8[3], int32_t radius_q8, uint32_t yaw, uint32_t pitch);
 
 /* Sets both tangents for square pixels from the vertical angle of view (a full turn is 2^32; it
- * must stay under half a turn). Returns LIM_ERR_CAMERA when one leaves 1/64..4. */
+ * must stay under half a turn). Returns LIM_ERR_CAMERA when one leaves LIM_TAN_MIN_Q28..LIM_TAN_MAX_Q28. */
 LIM_MUST_CHECK int lim_camera_set_fov(struct lim_camera *camera, uint32_t fov_y, uint16_t w_px, uint16_t h_px);
 
 LIM_C_END

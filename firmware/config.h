@@ -203,6 +203,10 @@
 #ifndef LIM_HAS_SKY
 #define LIM_HAS_SKY LIM_HAS_TEXTURE
 #endif
+/* Lenses with a tangent below LIM_TAN_TELE_Q28 (camera.h) are as exact as others. */
+#ifndef LIM_HAS_TELE
+#define LIM_HAS_TELE 1
+#endif
 /* 1: lim_set_wireframe() is there. */
 #ifndef LIM_HAS_WIREFRAME
 #define LIM_HAS_WIREFRAME 1
@@ -244,7 +248,6 @@
 #ifndef LIM_HAS_LINES
 #define LIM_HAS_LINES 1
 #endif
-
 /* 1: lim_frame() counts its work in struct lim_stats. 0: the counters stay zero and cost nothing. */
 #ifndef LIM_HAS_STATS
 #define LIM_HAS_STATS 1
@@ -349,7 +352,6 @@
 #define LIM_HAS_FILTER (LIM_HAS_SLANTED && (LIM_HAS_HIDDEN || LIM_8_BIT))
 
 /* Numbers below are written as such, without brackets: agree.h.
- *
  * Longest side of any target, in pixels: 8..1024. Up to 340 edges have two fraction bits more. */
 #ifndef LIM_MAX_SIDE_PX
 #define LIM_MAX_SIDE_PX 1024

@@ -16,14 +16,13 @@
 
 struct lim_delta;
 struct lim_open_strip;
-
 LIM_OPTIONAL_BEGIN
 
 /* Numbers --------------------------------------------------------------------------------------------------------- */
 
 #define LIM_HAS_LIMBS (LIM_PROFILE >= LIM_PROFILE_FINE)      /* rows and ratios beyond 16 bits */
 #define LIM_HAS_FRACTIONS (LIM_PROFILE == LIM_PROFILE_EXACT) /* vertices with 8 fraction bits */
-
+#define LIM_TURNS_ROWS (LIM_HAS_TELE && !LIM_HAS_LIMBS)
 #define LIM_DRAFT_MARGIN_BITS 8 /* what is outside by 2^-8 of half the screen stays outside in whole pixels too */
 #define LIM_SUB ((int32_t)1 << LIM_SUB_BITS) /* sub-pixels in a pixel */
 
@@ -41,8 +40,7 @@ typedef int16_t lim_sub;
 #endif
 
 /* A point on the screen; the centre of pixel (i, j) is at (i - LIM_ORIGIN_PX, j - LIM_ORIGIN_PX) * LIM_SUB. Aligned, so
- * that processors of 32 bits copy it as a word; where they must not load one from odd halves they would call memcpy().
- */
+ * that processors of 32 bits copy it as a word; else some of them would call memcpy(). */
 struct lim_point {
     lim_sub x LIM_WORD_ALIGNED, y;
 };
@@ -158,10 +156,12 @@ struct lim_row {
 };
 
 struct lim_rows {
-    uint8_t tele_bits;     /* the row of z is kept 2^tele_bits times as long: a narrow lens makes it short */
-    struct lim_row row[3]; /* x, y and z of view space */
-    int32_t near_qv;       /* distance of the near plane in view space, >= PERSPECTIVE_Z_MIN_QV */
-    uint32_t far_units;    /* no vertex is farther from the eye */
+    uint8_t tele_bits; /* the row of z is kept 2^tele_bits times as long: a narrow lens makes it short */
+    LIM_OPTIONAL(uint8_t, zoom_bits, LIM_HAS_TELE * 2); /* a long lens sees |x| <= z / 2^zoom_bits[0], y likewise */
+    struct lim_row row[3];                              /* x, y and z of view space */
+    int32_t near_qv;    /* distance of the near plane in view space, >= PERSPECTIVE_Z_MIN_QV */
+    uint32_t far_units; /* no vertex is farther from the eye */
+    LIM_OPTIONAL(int32_t, turn_q32, LIM_TURNS_ROWS * 2); /* of z, added to x and y: what rounding turned a row by */
     LIM_OPTIONAL(struct lim_long_eye, eye, LIM_HAS_LONG); /* of a long scene, whose rows put the eye at 0 */
 };
 

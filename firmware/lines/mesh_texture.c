@@ -36,17 +36,19 @@ static uint32_t length_of(const struct lim_row *row)
 }
 
 /* A triangle may be so many pixels of a lens long: mesh_texture.h. */
-static uint32_t mesh_reach_of(const struct lim_row *row, int32_t side_px)
+static uint32_t mesh_reach_of(const struct lim_rows *rows, uint_fast8_t axis, int32_t side_px)
 {
-    return length_of(row) * (uint32_t)side_px / (2 * MESH_EVEN_LENS_PX);
+    const uint32_t reach = length_of(&rows->row[axis]) * (uint32_t)side_px / (2 * MESH_EVEN_LENS_PX);
+
+    return LIM_HAS_TELE ? reach << rows->zoom_bits[axis] : reach;
 }
 
 /* Units in view space, those across as far as the lens makes steps' rounding matter. */
 static uint32_t unit_of(const struct lim_view *view)
 {
     const uint32_t z = length_of(&view->rows.row[2]) >> view->rows.tele_bits;
-    const uint32_t x = mesh_reach_of(&view->rows.row[0], view->width.px),
-                   y = mesh_reach_of(&view->rows.row[1], view->height.px);
+    const uint32_t x = mesh_reach_of(&view->rows, 0, view->width.px),
+                   y = mesh_reach_of(&view->rows, 1, view->height.px);
     const uint32_t across = x > y ? x : y;
 
     return (z > across ? z : across) + 1;
@@ -266,6 +268,7 @@ static void set_gradients(const struct lim_mesh *mesh, const LIM_FLASH lim_index
     for (uint_fast8_t k = 0; k < 3; k++) {
         const LIM_FLASH struct lim_uv *const place = &(*pass->scene->uvs)[triangle[k]];
         lim_view_transform(&pass->view, pass->scene, &pass->scene->vertices[triangle[k]], &corners[k].at);
+        if (LIM_HAS_TELE) lim_view_even(&pass->view.rows, &corners[k].at);
         corners[k].place[0] = place->u;
         corners[k].place[1] = place->v;
     }

@@ -10,6 +10,7 @@
 #include "screen/edge.h"
 #include "screen/project.h"
 #include "view/clip.h"
+#include "view/transform.h"
 #include "view/view.h"
 
 #if LIM_HAS_PIECES
@@ -184,7 +185,7 @@ static void view_corner(const struct lim_sorter *sorter, const int32_t at_q12[3]
 
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = transform_fine(&view->rows.row[i], at_q12, bits);
-    if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
+    transform_settle(&view->rows, out->qv);
     if (LIM_HAS_LONG) *out->exponent = 0;
 }
 
@@ -195,6 +196,7 @@ static LIM_RARE bool project_corners(const struct lim_sorter *sorter, const stru
     uint8_t bits;
     const struct lim_view *view = view_of(sorter, &bits);
 
+    lim_clip_begin(&clips[0], view);
     clips[0].n = corners->n;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
         view_corner(sorter, corners->at_q12[k], &clips[0].at[k]);

@@ -55,6 +55,7 @@ static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uin
                        const struct lim_plane_unpacked *plane)
 {
     const struct lim_scene *scene = lim_entry_scene(sorter, entry);
+    const struct lim_view *view = lim_entry_rows(sorter, entry);
     const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
     const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
     const uint_fast8_t n = record[0] & LIM_POLYGON_COUNT;
@@ -67,7 +68,8 @@ static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uin
     for (uint_fast8_t k = 0; k <= n; k++) {
         const lim_index vertex = corners[k < n ? k : 0];
         struct lim_view_point point;
-        lim_view_transform(lim_entry_rows(sorter, entry), scene, &scene->vertices[vertex], &point);
+        lim_view_transform(view, scene, &scene->vertices[vertex], &point);
+        if (LIM_HAS_TELE) lim_view_even(&view->rows, &point);
         const int64_t value = corner_value(sorter, entry, vertex, plane);
         halve_point(here, &point);
         if (k && value_before >= 0 && value < 0) lim_plane_cross(chord->out, before, value_before, here, value);

@@ -12,6 +12,7 @@
 struct clip_plane {
     uint_fast8_t of;                /* x or y; the near plane has none: kept is 0 */
     int32_t kept, turned, near_qv2; /* bits of it that count, its sign, and half the near plane's distance */
+    LIM_OPTIONAL(uint_fast8_t, zoom_bits, LIM_HAS_TELE); /* z has so many more than x or y */
 };
 
 static struct clip_plane plane_of(uint_fast8_t number, int32_t near_qv)
@@ -20,12 +21,19 @@ static struct clip_plane plane_of(uint_fast8_t number, int32_t near_qv)
     return (struct clip_plane){.of = (uint_fast8_t)(number - 1) >> 1, .kept = -1, .turned = number & 1 ? 0 : -1};
 }
 
+/* How many bits z has more than x (axis 0) or y (1). */
+static inline uint8_t zoom_of(const struct lim_clip_polygon *polygon, uint_fast8_t axis)
+{
+    return LIM_HAS_TELE ? polygon->zoom_bits[axis] : 0;
+}
+
 /* Inside where >= 0; in a long scene as the point's exponent has it. */
 static inline int32_t distance(const struct lim_view_point *p, const struct clip_plane *plane)
 {
     const int32_t quarter = (p->qv[plane->of] >> 2) & plane->kept;
 
-    return (p->z_qv >> 1) + ((quarter ^ plane->turned) - plane->turned) - lim_view_near(p, plane->near_qv2);
+    return (p->z_qv >> 1 >> (LIM_HAS_TELE ? *plane->zoom_bits : 0)) + ((quarter ^ plane->turned) - plane->turned) -
+           lim_view_near(p, plane->near_qv2);
 }
 
 /* Of the two points one is inside; from it, so that both ways along an edge lead to the same cut. */
@@ -93,8 +101,9 @@ static uint32_t planes_crossed(const struct lim_clip_polygon *polygon, int32_t n
         LIM_UNROLLED(2)
         for (uint_fast8_t i = 0; i < 2; i++) {
             const int32_t quarter = p->qv[i] >> 2;
-            low[i] |= half_z + quarter;
-            high[i] |= half_z - quarter;
+            const int32_t zoomed = half_z >> zoom_of(polygon, i);
+            low[i] |= zoomed + quarter;
+            high[i] |= zoomed - quarter;
         }
     }
     return (uint32_t)near >> 31 | (uint32_t)low[0] >> 31 << 1 | (uint32_t)high[0] >> 31 << 2 |
@@ -109,16 +118,18 @@ static inline int32_t clamp_s32(int32_t x, uint32_t limit)
 }
 
 /* Rounding may leave a cut point a unit outside of the planes; the projection needs it inside. */
-static void settle(struct lim_view_point *point, int32_t least_z_qv)
+static void settle(struct lim_view_point *point, int32_t least_z_qv, const struct lim_clip_polygon *begun)
 {
     const int32_t near_qv = lim_view_near(point, least_z_qv);
 
     if (point->z_qv < near_qv) point->z_qv = near_qv;
-    if (point->z_qv > INT32_MAX / 2) return;
+    if (!LIM_HAS_TELE && point->z_qv > INT32_MAX / 2) return;
     const uint32_t limit_qv = 2 * (uint32_t)point->z_qv;
     LIM_UNROLLED(2)
-    for (uint_fast8_t i = 0; i < 2; i++)
-        point->qv[i] = clamp_s32(point->qv[i], limit_qv);
+    for (uint_fast8_t i = 0; i < 2; i++) {
+        const uint32_t zoomed_qv = limit_qv >> zoom_of(begun, i);
+        if (!LIM_HAS_TELE || zoomed_qv <= INT32_MAX) point->qv[i] = clamp_s32(point->qv[i], zoomed_qv);
+    }
 }
 
 /* A cut lies between two corners: planes that have none of these outside have no cut there either, but by rounding. */
@@ -129,7 +140,8 @@ struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t n
 
     for (uint_fast8_t number = 0; crossed && polygon->n; number++, crossed >>= 1) {
         if (!(crossed & 1)) continue;
-        const struct clip_plane plane = plane_of(number, near_qv);
+        struct clip_plane plane = plane_of(number, near_qv);
+        if (LIM_HAS_TELE) *plane.zoom_bits = number ? zoom_of(&polygons[0], plane.of) : 0;
         LIM_DEBUG_ASSERT(polygon->n < CLIP_MAX_VERTICES); /* one more may come */
         other->n = (uint8_t)clip_plane(polygon->at, polygon->n, other->at, &plane);
         struct lim_clip_polygon *const clipped = other;
@@ -137,6 +149,6 @@ struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t n
         polygon = clipped;
     }
     for (uint_fast8_t k = 0; k < polygon->n; k++)
-        settle(&polygon->at[k], near_qv);
+        settle(&polygon->at[k], near_qv, &polygons[0]);
     return polygon;
 }

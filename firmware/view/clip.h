@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * CLIP: a convex polygon in view space against the near plane and the guard band |x|, |y| <= 2z.
+ * CLIP: a convex polygon in view space against the near plane and the guard band |x|, |y| <= 2z (zoomed: view.h).
  * An edge is always cut from its inner to its outer end, so two polygons that share the edge get
  * the same point. Never against the screen itself: EDGE and SPAN do that without new vertices. */
 #ifndef LIM_CLIP_H
@@ -9,14 +9,23 @@
 #include "view/view.h"
 
 struct lim_clip_polygon {
-    uint8_t n; /* 0: nothing is left; else 3..CLIP_MAX_VERTICES */
+    uint8_t n;                                          /* 0: nothing is left; else 3..CLIP_MAX_VERTICES */
+    LIM_OPTIONAL(uint8_t, zoom_bits, LIM_HAS_TELE * 2); /* of its view's rows */
     struct lim_view_point at[CLIP_MAX_VERTICES];
 };
+
+/* Before a polygon is clipped: the view in whose space it is. */
+static inline void lim_clip_begin(struct lim_clip_polygon *polygon, const struct lim_view *view)
+{
+    for (uint_fast8_t i = 0; LIM_HAS_TELE && i < 2; i++)
+        polygon->zoom_bits[i] = view->rows.zoom_bits[i];
+}
 
 /* Corners of a scene in view space, all edges of which are drawn. */
 static inline void lim_clip_load(struct lim_clip_polygon *polygon, const struct lim_view *view,
                                  const struct lim_scene *scene, const LIM_FLASH lim_index *corners, uint8_t n)
 {
+    lim_clip_begin(polygon, view);
     polygon->n = n;
     for (uint_fast8_t k = 0; k < n; k++) {
         if (LIM_HAS_LONG && lim_scene_long(scene))

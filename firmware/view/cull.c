@@ -26,6 +26,12 @@ static int32_t edge_q14(uint16_t i, int32_t n)
     return ((int32_t)i * 32768 + n / 2) / n - 16384;
 }
 
+/* How many times, as a power of two, the row of z is longer than what `row` is compared with. */
+static inline uint8_t bits_of_z(const struct lim_view *view, uint8_t row)
+{
+    return (uint8_t)(view->rows.tele_bits + (LIM_HAS_TELE ? view->rows.zoom_bits[row] : 0));
+}
+
 /* sign * (row - l * ahead). The offset's value fits 32 bits: see above. */
 static void set_plane(struct lim_cull_plane *plane, const struct lim_view *view, const int32_t eye_q8[3], uint8_t row,
                       int32_t l_q14, int8_t sign)
@@ -35,7 +41,7 @@ static void set_plane(struct lim_cull_plane *plane, const struct lim_view *view,
 
     for (uint8_t i = 0; i < 3; i++) {
         const int32_t ahead =
-            shift_round_s32(l_q14 * (int32_t)view->rows.row[2].n_qv[i], (uint8_t)(14 + view->rows.tele_bits));
+            shift_round_s32(l_q14 * (int32_t)view->rows.row[2].n_qv[i], (uint8_t)(14 + bits_of_z(view, row)));
         const int32_t n = sign * ((int32_t)view->rows.row[row].n_qv[i] - ahead);
         plane->n[i] = (int16_t)shift_round_s32(n, CULL_DROPPED_BITS);
         offset -= (uint32_t)plane->n[i] * (uint32_t)(eye_q8[i] >> 8);

@@ -221,6 +221,20 @@ static inline uint32_t perspective_finer(uint32_t near_shift, uint8_t bits)
 
 #endif
 
+/* For a long lens: x is 2^zoom_bits times as much, and |x| <= 2 (z >> zoom_bits), so what is shifted left stays below
+ * 2z. */
+static inline void perspective_zoom(int32_t *x_qv, struct lim_depth *depth, uint8_t zoom_bits)
+{
+    if (LIM_HAS_LIMBS) {
+        depth->shift += zoom_bits;
+    } else if (depth->shift > zoom_bits) {
+        depth->shift -= zoom_bits;
+    } else {
+        *x_qv *= (int32_t)1 << (zoom_bits + 1u - depth->shift);
+        depth->shift = 1;
+    }
+}
+
 /* log2 of nearness times z, but for rounding. */
 static inline uint32_t perspective_nearness_bits(uint32_t near_shift)
 {

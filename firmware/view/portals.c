@@ -17,8 +17,9 @@
 
 enum { BALL_MAX_UNITS = 8192, ROUNDING_UNITS = 4 };
 
-/* The near plane in use is at near_q8, or at 2^-16 / min(1, tan_x, tan_y) of far_units, or at 1 unit (camera.h). The
- * rectangle's corners are sqrt(1 + t) times as far, t = tan_x^2 + tan_y^2, which is less than 1 + t / 2. */
+/* The near plane in use is at near_q8, or at 2^-16 / min(1, tan_x, tan_y) of far_units, 2^-15 where the lens is long,
+ * or at 1 unit (camera.h). The rectangle's corners are sqrt(1 + t) times as far, t = tan_x^2 + tan_y^2, which is less
+ * than 1 + t / 2. */
 uint32_t lim_portals_ball_units(const struct lim_camera *camera, uint32_t far_units)
 {
     const uint32_t tan_x_q12 = camera->tan_x_q28 >> 16, tan_y_q12 = camera->tan_y_q28 >> 16;
@@ -27,6 +28,7 @@ uint32_t lim_portals_ball_units(const struct lim_camera *camera, uint32_t far_un
     uint32_t near_units = ((uint32_t)camera->near_q8 >> 8) + 1;
 
     if (narrow_q12 > 4096) narrow_q12 = 4096;
+    if (LIM_HAS_TELE && narrow_q12 < LIM_TAN_TELE_Q28 >> 16) narrow_q12 = 2048; /* z has more bits */
     const uint32_t least_units = ((far_units >> 4) + 1) / narrow_q12 + 1;
     if (near_units < least_units) near_units = least_units;
     if (near_units > BALL_MAX_UNITS) return BALL_MAX_UNITS + 1;

@@ -77,7 +77,16 @@ static inline int32_t transform_row(const struct lim_row *row, const struct lim_
 #endif
 }
 
-#if LIM_HAS_FRACTIONS
+/* Sums of the rows, to view space: a long lens's x and y are turned back, and z gets its length. */
+static inline void transform_settle(const struct lim_rows *rows, int32_t qv[3])
+{
+    if (LIM_TURNS_ROWS) {
+        qv[0] += mul_high_s32(qv[2], rows->turn_q32[0]);
+        qv[1] += mul_high_s32(qv[2], rows->turn_q32[1]);
+    }
+    if (!LIM_HAS_LIMBS) qv[2] >>= rows->tele_bits;
+}
+
 /* What a vertex's fraction adds to a row: at most 3/2 of its largest entry, 49,151. */
 /*@ requires \valid_read(row) && \valid_read(fraction);
     requires -32767 <= row->n_qv[0] <= 32767 && -32767 <= row->n_qv[1] <= 32767 && -32767 <= row->n_qv[2] <= 32767;
@@ -89,6 +98,5 @@ static inline int32_t transform_fraction(const struct lim_row *row, const struct
                                (int32_t)row->n_qv[2] * fraction->z_q8,
                            8);
 }
-#endif
 
 #endif

@@ -6,6 +6,7 @@
 #include "camera.h"
 #include "view/packed.h"
 #include "view/perspective.h"
+#include "view/place.h"
 #include "view/rows.h"
 #include "view/transform.h"
 
@@ -41,7 +42,7 @@ static inline void transform_units(const struct lim_view *view, const struct lim
     LIM_HOT_UNROLLED(3)
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = transform_row(&view->rows.row[i], at);
-    if (!LIM_HAS_LIMBS) out->z_qv >>= view->rows.tele_bits;
+    transform_settle(&view->rows, out->qv);
     if (LIM_HAS_LONG) *out->exponent = 0;
 }
 
@@ -56,31 +57,20 @@ static VIEW_SHARED void transform(const struct lim_view *view, const struct lim_
 #endif
 
     transform_units(view, at, out);
-#if LIM_HAS_FRACTIONS
-    if (scene->fractions) {
+    if (LIM_HAS_FRACTIONS && scene->fractions) {
         const struct lim_fraction fraction = scene->fractions[vertex - scene->vertices];
         LIM_UNROLLED(3)
         for (uint_fast8_t i = 0; i < 3; i++)
             out->qv[i] += transform_fraction(&view->rows.row[i], &fraction);
     }
-#else
-    (void)scene;
-#endif
 }
 
 static VIEW_SHARED void project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
 {
     const struct lim_depth depth = perspective_depth(point->z_qv);
 
-    out->x = perspective_at(point->x_qv, depth, &view->width);
-    out->y = perspective_at(point->y_qv, depth, &view->height);
-}
-
-/* Where the rounding of a projection can carry a point from beyond the last pixels onto them, they have to
- * be left out by a margin. With sub-pixels the last half pixel is margin enough. */
-static inline int32_t margin_of(int32_t z_qv)
-{
-    return LIM_SUB_BITS || z_qv < 0 ? 0 : z_qv >> LIM_DRAFT_MARGIN_BITS;
+    out->x = project_x(view, point->x_qv, depth);
+    out->y = project_y(view, point->y_qv, depth);
 }
 
 /* Of a point that is not visible. One behind the eye can be outside on both sides; one bit of the two is enough,
@@ -88,23 +78,27 @@ static inline int32_t margin_of(int32_t z_qv)
 static LIM_RARE uint8_t codes_outside(const struct lim_view *view, int32_t at_x_qv, int32_t at_y_qv, int32_t z_qv)
 {
     const int32_t x_qv = (int32_t)abs_s32(at_x_qv), y_qv = (int32_t)abs_s32(at_y_qv);
-    const int32_t margin_qv = margin_of(z_qv); /* taken from x and y: z has no room for it */
+    const int32_t width_qv = lim_zoomed(&view->rows, z_qv, 0), height_qv = lim_zoomed(&view->rows, z_qv, 1);
     uint8_t codes = 0;
 
+    /* The margin is taken from x and y: z has no room for it. */
     if (z_qv < view->rows.near_qv) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
-    if (x_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (at_x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
-    if (y_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (at_y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
-    if (x_qv >> 1 > z_qv - 2 || y_qv >> 1 > z_qv - 2) codes |= LIM_VIEW_GUARD;
+    if (x_qv - margin_of(width_qv) > width_qv)
+        codes = (uint8_t)(codes | (at_x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
+    if (y_qv - margin_of(height_qv) > height_qv)
+        codes = (uint8_t)(codes | (at_y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
+    if (x_qv >> 1 > width_qv - 2 || y_qv >> 1 > height_qv - 2) codes |= LIM_VIEW_GUARD;
     return codes;
 }
 
-/* What is visible is inside the guard band: z is at least PERSPECTIVE_Z_MIN_QV. */
+/* What is visible is inside the guard band: z is at least PERSPECTIVE_Z_MIN_QV, so zoomed it is 4 or more. */
 static inline uint8_t codes_of(const struct lim_view *view, const struct lim_view_point *point)
 {
-    const int32_t z_qv = point->z_qv, margin_qv = margin_of(z_qv);
+    const int32_t z_qv = point->z_qv;
+    const int32_t width_qv = lim_zoomed(&view->rows, z_qv, 0), height_qv = lim_zoomed(&view->rows, z_qv, 1);
 
-    if (z_qv >= view->rows.near_qv && (int32_t)abs_s32(point->x_qv) - margin_qv <= z_qv &&
-        (int32_t)abs_s32(point->y_qv) - margin_qv <= z_qv)
+    if (z_qv >= view->rows.near_qv && (int32_t)abs_s32(point->x_qv) - margin_of(width_qv) <= width_qv &&
+        (int32_t)abs_s32(point->y_qv) - margin_of(height_qv) <= height_qv)
         return 0;
     return codes_outside(view, point->x_qv, point->y_qv, z_qv);
 }
@@ -168,8 +162,8 @@ static struct box_view box_seen(const struct lim_view *view, const LIM_FLASH str
         transform_units(view, &corner, &point);
         seen.codes |= codes_of(view, &point);
         seen.is_well_inside = !LIM_OPTIMISE_SIZE && !LIM_HAS_FRACTIONS && seen.is_well_inside &&
-                              is_well_within(point.x_qv, point.z_qv, view->width.px) &&
-                              is_well_within(point.y_qv, point.z_qv, view->height.px);
+                              is_well_within(point.x_qv, lim_zoomed(&view->rows, point.z_qv, 0), view->width.px) &&
+                              is_well_within(point.y_qv, lim_zoomed(&view->rows, point.z_qv, 1), view->height.px);
         if (point.z_qv < seen.least_z_qv) seen.least_z_qv = point.z_qv;
     }
     return seen;
@@ -231,8 +225,7 @@ static LIM_INLINE bool project_each(const struct lim_view *view, const struct li
         struct lim_view_point point;
         transform(view, scene, vertex, &point);
         const struct lim_depth depth = perspective_depth(point.z_qv);
-        const lim_packed at = lim_packed_of(perspective_at(point.x_qv, depth, &view->width),
-                                            perspective_at(point.y_qv, depth, &view->height));
+        const lim_packed at = lim_packed_of(project_x(view, point.x_qv, depth), project_y(view, point.y_qv, depth));
         if (finds_out) signs |= lim_packed_beyond(at, first, last);
         lim_packed_store(points++, at);
         *nearness++ = perspective_nearness(depth, near_shift);
@@ -268,8 +261,7 @@ static void project_some(const struct lim_view *view, const struct lim_scene *sc
             continue;
         }
         const struct lim_depth depth = perspective_depth(point.z_qv);
-        points[i] = (struct lim_point){perspective_at(point.x_qv, depth, &view->width),
-                                       perspective_at(point.y_qv, depth, &view->height)};
+        points[i] = (struct lim_point){project_x(view, point.x_qv, depth), project_y(view, point.y_qv, depth)};
         nearness[i] = perspective_nearness(depth, near_shift);
     }
 }

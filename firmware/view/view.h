@@ -5,7 +5,8 @@
  * small cache of projected vertices, lent by the caller.
  *
  * View space: x to the right, y down, z ahead, each row scaled by the lens so that the visible
- * part is |x| <= z, |y| <= z. Its scale, called _qv, is the frame's own: see rows.c. */
+ * part is |x| <= z, |y| <= z. Its scale, called _qv, is the frame's own: see rows.c. Of a long lens z has more bits:
+ * the visible part is |x| <= z >> zoom_bits[0], |y| <= z >> zoom_bits[1]. */
 #ifndef LIM_VIEW_H
 #define LIM_VIEW_H
 
@@ -33,6 +34,12 @@ static inline int32_t lim_view_near(const struct lim_view_point *point, int32_t 
     return near_qv >> (31 + (down > -31 ? down : -31)) ? INT32_MAX : near_qv * (INT32_C(1) << -down);
 }
 
+/* What z comes to beside x (axis 0) or y (1). */
+static inline int32_t lim_zoomed(const struct lim_rows *rows, int32_t z_qv, uint_fast8_t axis)
+{
+    return LIM_HAS_TELE ? z_qv >> rows->zoom_bits[axis] : z_qv;
+}
+
 /* Whether wireframe leaves out the edge from a point to the next one. */
 static inline void lim_view_hide_edge(struct lim_view_point *point, bool hidden)
 {
@@ -40,7 +47,7 @@ static inline void lim_view_hide_edge(struct lim_view_point *point, bool hidden)
 }
 
 /* Where a vertex lies outside: bits 0..4 against what is visible, GUARD against the guard band
- * |x|, |y| <= 2z or the near plane: such a polygon must be clipped. */
+ * |x|, |y| <= 2z (zoomed) or the near plane: such a polygon must be clipped. */
 enum lim_view_code {
     LIM_VIEW_NEAR = 1,
     LIM_VIEW_LEFT = 2,
@@ -102,7 +109,17 @@ bool lim_view_begin(struct lim_view *view, const struct lim_scene *scene, const 
 void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,
                         const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out);
 
-/* Needs near <= z and |x|, |y| <= 2z. */
+/* Takes from z what it has more of a long lens: then |x|, |y| <= z is visible. */
+static inline void lim_view_even(const struct lim_rows *rows, struct lim_view_point *point)
+{
+    const uint8_t x_bits = rows->zoom_bits[0], y_bits = rows->zoom_bits[1], bits = x_bits > y_bits ? x_bits : y_bits;
+
+    point->x_qv >>= bits - x_bits;
+    point->y_qv >>= bits - y_bits;
+    point->z_qv >>= bits;
+}
+
+/* Needs near <= z and |x|, |y| <= 2z, zoomed. */
 void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out);
 
 /* These three of a vertex of a long scene. */

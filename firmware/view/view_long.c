@@ -11,6 +11,8 @@
 
 #include "math/relative.h"
 #include "view/perspective.h"
+#include "view/place.h"
+#include "view/transform.h"
 
 #if LIM_HAS_LONG
 
@@ -59,7 +61,8 @@ static inline void long_transform(const struct lim_rows *rows, lim_index vertex,
     LIM_UNROLLED(3)
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = long_dot(&rows->row[i], way.d);
-    if (!LIM_HAS_LIMBS) out->z_qv = (out->z_qv + rows->row[2].shift_qv) >> rows->tele_bits;
+    out->z_qv += rows->row[2].shift_qv;
+    transform_settle(rows, out->qv);
     *out->exponent = (int8_t)(way.exponent + DOT_EXPONENT);
 }
 
@@ -72,8 +75,8 @@ static inline void long_project(const struct lim_view *view, const struct lim_vi
 {
     const struct lim_depth depth = perspective_depth(point->z_qv);
 
-    out->x = perspective_at(point->x_qv, depth, &view->width);
-    out->y = perspective_at(point->y_qv, depth, &view->height);
+    out->x = project_x(view, point->x_qv, depth);
+    out->y = project_y(view, point->y_qv, depth);
 }
 
 /* A cut may have few bits left. */
@@ -89,25 +92,26 @@ void lim_view_project_long(const struct lim_view *view, const struct lim_view_po
 }
 
 /* As codes_outside() of view.c has them. */
-static LIM_RARE uint8_t long_codes(const struct lim_view_point *point, int32_t near_qv)
+static LIM_RARE uint8_t long_codes(const struct lim_rows *rows, const struct lim_view_point *point)
 {
-    const int32_t x_qv = (int32_t)abs_s32(point->x_qv), y_qv = (int32_t)abs_s32(point->y_qv), z_qv = point->z_qv;
-    const int32_t margin_qv = LIM_SUB_BITS || z_qv < 0 ? 0 : z_qv >> LIM_DRAFT_MARGIN_BITS;
+    const int32_t x_qv = (int32_t)abs_s32(point->x_qv), y_qv = (int32_t)abs_s32(point->y_qv);
+    const int32_t width_qv = lim_zoomed(rows, point->z_qv, 0), height_qv = lim_zoomed(rows, point->z_qv, 1);
     uint8_t codes = 0;
 
-    if (z_qv < lim_view_near(point, near_qv)) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
-    if (x_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (point->x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
-    if (y_qv - margin_qv > z_qv) codes = (uint8_t)(codes | (point->y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
-    if (x_qv >> 1 > z_qv - 2 || y_qv >> 1 > z_qv - 2) codes |= LIM_VIEW_GUARD;
+    if (point->z_qv < lim_view_near(point, rows->near_qv)) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
+    if (x_qv - margin_of(width_qv) > width_qv)
+        codes = (uint8_t)(codes | (point->x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
+    if (y_qv - margin_of(height_qv) > height_qv)
+        codes = (uint8_t)(codes | (point->y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
+    if (x_qv >> 1 > width_qv - 2 || y_qv >> 1 > height_qv - 2) codes |= LIM_VIEW_GUARD;
     return codes;
 }
 
-static inline bool is_long_seen(const struct lim_view_point *point, int32_t near_qv)
+static inline bool is_long_seen(const struct lim_rows *rows, const struct lim_view_point *point)
 {
-    const int32_t z_qv = point->z_qv;
-
-    return (int32_t)abs_s32(point->x_qv) <= z_qv && (int32_t)abs_s32(point->y_qv) <= z_qv &&
-           z_qv >= lim_view_near(point, near_qv);
+    return (int32_t)abs_s32(point->x_qv) <= lim_zoomed(rows, point->z_qv, 0) &&
+           (int32_t)abs_s32(point->y_qv) <= lim_zoomed(rows, point->z_qv, 1) &&
+           point->z_qv >= lim_view_near(point, rows->near_qv);
 }
 
 void lim_view_remember_long(struct lim_view *view, lim_index vertex, struct lim_view_cached *entry)
@@ -115,7 +119,7 @@ void lim_view_remember_long(struct lim_view *view, lim_index vertex, struct lim_
     struct lim_view_point point;
 
     long_transform(&view->rows, vertex, &point);
-    const uint8_t codes = is_long_seen(&point, view->rows.near_qv) ? 0 : long_codes(&point, view->rows.near_qv);
+    const uint8_t codes = is_long_seen(&view->rows, &point) ? 0 : long_codes(&view->rows, &point);
     entry->vertex = vertex;
     entry->codes = (lim_view_code_bits)(LIM_8_BIT ? codes : lim_view_both(codes));
     if (!(codes & LIM_VIEW_GUARD)) long_project(view, &point, &entry->at);

@@ -65,6 +65,13 @@ bool parse_near(const char *text, double *near_m, struct error *err)
            (*near_m > 0.0 || error_set(err, "--near %s: the near plane must lie in front of the eye", text));
 }
 
+bool parse_fov(const char *text, double *fov_deg, struct error *err)
+{
+    if (!parse_number("--fov", text, fov_deg, err)) return false;
+    return (*fov_deg > 0.0 && *fov_deg < 180.0) ||
+           error_set(err, "--fov %s: the vertical field of view must lie between 0 and 180 degrees", text);
+}
+
 bool parse_tolerance(const char *text, double *units, struct error *err)
 {
     if (!parse_number("--tolerance", text, units, err)) return false;

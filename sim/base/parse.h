@@ -29,6 +29,9 @@ bool parse_ram(const char *text, size_t *bytes, double *percent, struct error *e
 /* --near M */
 bool parse_near(const char *text, double *near_m, struct error *err);
 
+/* --fov DEG: above 0 and below 180. */
+bool parse_fov(const char *text, double *fov_deg, struct error *err);
+
 /* --tolerance UNITS */
 bool parse_tolerance(const char *text, double *units, struct error *err);
 

@@ -21,10 +21,11 @@ enum { NUMBERS_A_LINE = 6, LINE_MOST_B = 4096, FILE_MOST_B = 64 << 20, CAMERAS_M
 static const double COORDINATE_MAX_M = 1e9;   /* keeps differences and their squares far from overflow */
 static const double TIME_MAX_S = 4e6;         /* in milliseconds 32 bits hold it */
 static const double EYE_END_Q8 = 268435456.0; /* 2^28, exclusive */
+static const double EYE_END_UNITS = 1048576.0, GRID_END_UNITS = 32768.0;
 static const double NEAR_MAX_Q8 = 16777216.0; /* 2^24 */
 static const double DEFAULT_FOV_DEG = 60.0;
 static const double LONG_NEAR_UNITS = 16.0; /* eyes come as near to the smallest things as others do to large ones */
-static const double TANGENT_MIN = 1.0 / 64.0, TANGENT_MAX = 4.0;
+static const double TANGENT_MIN = 1.0 / 2048.0, TANGENT_LONG = 1.0 / 8.0, TANGENT_MAX = 4.0; /* camera.h */
 
 static void viewpoint_direction(const struct viewpoint *viewpoint, double direction[3])
 {
@@ -307,6 +308,19 @@ static void settle_height(const struct compiled *scene, const struct lens *lens,
     orbit->centre_m[1] = (low_m + high_m) / 2.0;
 }
 
+/* Where no eye can be so far away that all of it is in view, from where it is along the picture's longer side alone: a
+ * picture of one line shows a slice. Or from as far away as an eye can be. */
+static double orbit_seen_from_m(const struct compiled *scene, const struct lens *lens, const struct orbit *orbit,
+                                double margin)
+{
+    const double most_m = (EYE_END_UNITS - GRID_END_UNITS) / scene->grid.units_per_m;
+    const double all_m = margin * orbit_distance_m(scene, lens, orbit);
+    struct lens slice = *lens;
+    if (all_m <= most_m) return all_m;
+    *(lens->tan_x < lens->tan_y ? &slice.tan_x : &slice.tan_y) = INFINITY;
+    return fmin(most_m, margin * orbit_distance_m(scene, &slice, orbit));
+}
+
 bool camera_path_orbit(const struct compiled *scene, const struct lens *lens, size_t frame_count,
                        struct camera_path *out, struct error *err)
 {
@@ -315,11 +329,11 @@ bool camera_path_orbit(const struct compiled *scene, const struct lens *lens, si
     struct orbit orbit = {.elevation = is_small ? STEEP_ELEVATION : ORBIT_ELEVATION, .frame_count = frame_count};
     const double half_m = scene_centre(scene, orbit.centre_m);
     if (is_small) settle_height(scene, lens, half_m, &orbit);
-    const double distance_m = orbit_distance_m(scene, lens, &orbit);
+    const double distance_m = orbit_seen_from_m(scene, lens, &orbit, margin);
     *out = (struct camera_path){.name = strdup("orbit around the scene")};
     bool ok = out->name != NULL;
     for (size_t frame = 0; ok && frame < frame_count; frame++) {
-        const struct viewpoint viewpoint = orbit_viewpoint(&orbit, margin * distance_m, frame);
+        const struct viewpoint viewpoint = orbit_viewpoint(&orbit, distance_m, frame);
         ok = path_append(out, &viewpoint);
     }
     if (ok) return true;
@@ -329,6 +343,34 @@ bool camera_path_orbit(const struct compiled *scene, const struct lens *lens, si
 
 /* Fixed point -------------------------------------------------------------------------------- */
 
+static double degrees_of_tangent(double tangent)
+{
+    return 2.0 * atan(tangent) / PI * 180.0;
+}
+
+static double tangent_of_degrees(double fov_deg)
+{
+    return tan(fov_deg / 360.0 * PI);
+}
+
+double lens_usual_fov_deg(unsigned w_px, unsigned h_px)
+{
+    const double tangent = tangent_of_degrees(DEFAULT_FOV_DEG);
+    if (tangent * w_px / h_px <= TANGENT_MAX) return DEFAULT_FOV_DEG;
+    return degrees_of_tangent(tangent * h_px / w_px);
+}
+
+/* The nearest angle that a lens of such a picture can have, rounded towards those that are within. */
+static double widest_deg(unsigned w_px, unsigned h_px)
+{
+    return floor(degrees_of_tangent(TANGENT_MAX * fmin(1.0, (double)h_px / w_px)) * 1e3) / 1e3;
+}
+
+static double narrowest_deg(unsigned w_px, unsigned h_px)
+{
+    return ceil(degrees_of_tangent(TANGENT_MIN * fmax(1.0, (double)h_px / w_px)) * 1e3) / 1e3;
+}
+
 bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, unsigned h_px, struct error *err)
 {
     if (!(fov_deg > 0.0 && fov_deg < 180.0))
@@ -337,23 +379,40 @@ bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, 
         return error_set(err, "--near %g: the near plane must lie in front of the eye", near_m);
     lens->near_m = near_m;
     lens->least_side_px = w_px < h_px ? w_px : h_px;
-    lens->tan_y = tan(fov_deg / 360.0 * PI);
+    lens->tan_y = tangent_of_degrees(fov_deg);
     lens->tan_x = lens->tan_y * w_px / h_px;
     if (fmax(lens->tan_x, lens->tan_y) > TANGENT_MAX)
-        return error_set(err, "--fov %g: too wide at %ux%u; the tangent of a half-angle may be 4 at most", fov_deg,
-                         w_px, h_px);
+        return error_set(err,
+                         "--fov %g: too wide at %ux%u, where %.3f degrees are most; the tangent of a half-angle may be "
+                         "4 at most",
+                         fov_deg, w_px, h_px, widest_deg(w_px, h_px));
     if (fmin(lens->tan_x, lens->tan_y) < TANGENT_MIN)
-        return error_set(err, "--fov %g: too narrow at %ux%u; the tangent of a half-angle must be 1/64 at least",
-                         fov_deg, w_px, h_px);
+        return error_set(
+            err,
+            "--fov %g: too narrow at %ux%u, where %.3f degrees are least; the tangent of a half-angle must "
+            "be 1/2048 at least",
+            fov_deg, w_px, h_px, narrowest_deg(w_px, h_px));
     return true;
+}
+
+bool lens_is_long(const struct lens *lens)
+{
+    return fmin(lens->tan_x, lens->tan_y) < TANGENT_LONG;
+}
+
+bool lens_fov_is_long(double fov_deg, unsigned w_px, unsigned h_px)
+{
+    const double tangent = tangent_of_degrees(fov_deg > 0.0 ? fov_deg : lens_usual_fov_deg(w_px, h_px));
+    const struct lens lens = {.tan_x = tangent * w_px / h_px, .tan_y = tangent};
+    return lens_is_long(&lens);
 }
 
 /* camera.h: 2^-16 of the far end's distance, which is 65534 units times what rows.c takes for the root of three at
  * most; and a little more for the choice among scales. */
 double lens_least_near_m(const struct lens *lens, const struct grid *grid)
 {
-    const double diagonals = 1.75;
-    return diagonals / fmin(1.0, fmin(lens->tan_x, lens->tan_y)) / grid->units_per_m;
+    const double diagonals = 1.75, narrow = fmin(1.0, fmin(lens->tan_x, lens->tan_y));
+    return diagonals / (lens_is_long(lens) ? 0.5 : narrow) / grid->units_per_m;
 }
 
 double lens_usual_near_m(const struct grid *grid)
@@ -364,7 +423,7 @@ double lens_usual_near_m(const struct grid *grid)
 
 double lens_default_near_m(const struct grid *grid)
 {
-    const double tangent = tan(DEFAULT_FOV_DEG / 360.0 * PI);
+    const double tangent = tangent_of_degrees(DEFAULT_FOV_DEG);
     const struct lens lens = {.tan_x = tangent, .tan_y = tangent};
     return fmax(lens_usual_near_m(grid), lens_least_near_m(&lens, grid));
 }
@@ -378,7 +437,8 @@ double lens_forced_near_m(const struct grid *grid)
 bool lens_for_grid(struct lens *lens, double fov_deg, double near_m, const struct grid *grid, unsigned w_px,
                    unsigned h_px, struct error *err)
 {
-    if (!lens_init(lens, fov_deg, near_m > 0.0 ? near_m : lens_default_near_m(grid), w_px, h_px, err)) return false;
+    const double angle_deg = fov_deg > 0.0 ? fov_deg : lens_usual_fov_deg(w_px, h_px);
+    if (!lens_init(lens, angle_deg, near_m > 0.0 ? near_m : lens_default_near_m(grid), w_px, h_px, err)) return false;
     const double least_m = lens_least_near_m(lens, grid);
     if (near_m > 0.0 && near_m < least_m)
         return error_set(err,

@@ -47,7 +47,8 @@ bool camera_path_is_timeless(const struct camera_path *path, struct error *err);
 /* A line of such a file, as camera_path_read() reads it back. */
 void viewpoint_write(const struct viewpoint *viewpoint, FILE *out);
 
-/* frame_count frames once around the scene's bounds, from where all of it is in view. Small pictures, of SMALL_SIDE_PX
+/* frame_count frames once around the scene's bounds, from where all of it is in view; if no eye can be so far away,
+ * from where it is along the picture's longer side, or from as far away as one can be. Small pictures, of SMALL_SIDE_PX
  * at most, it fills from top to bottom; in others the middle of its bounds is the picture's. */
 enum { SMALL_SIDE_PX = 64 };
 bool camera_path_orbit(const struct compiled *scene, const struct lens *lens, size_t frame_count,
@@ -58,11 +59,24 @@ bool camera_path_few(const struct camera_path *path, size_t count, struct camera
 
 void camera_path_free(struct camera_path *path);
 
+/* An angle of view that nobody chose. */
+#define LENS_USUAL 0.0
+
+/* From top to bottom: 60 degrees; on displays that are so wide that such a lens would be too wide, what makes 60
+ * degrees from side to side. */
+double lens_usual_fov_deg(unsigned w_px, unsigned h_px);
+
 /* fov_deg is vertical; pixels are square. Refuses what struct lim_camera cannot hold. */
 bool lens_init(struct lens *lens, double fov_deg, double near_m, unsigned w_px, unsigned h_px, struct error *err);
 
+/* Whether it takes LIM_HAS_TELE to draw as exactly through it as through others (camera.h). */
+bool lens_is_long(const struct lens *lens);
+
+/* The same from an angle, or LENS_USUAL. */
+bool lens_fov_is_long(double fov_deg, unsigned w_px, unsigned h_px);
+
 /* How near the near plane may be for the renderer to have it there, for any eye within the grid (camera.h): some units
- * of the grid, more for a narrow lens. */
+ * of the grid, more for a narrow lens that is not a long one. */
 double lens_least_near_m(const struct lens *lens, const struct grid *grid);
 
 /* 0.1 m; a tenth of the longest side of a scene smaller than a metre. */
@@ -74,8 +88,8 @@ double lens_default_near_m(const struct grid *grid);
 /* The distance that the grid forces on a near plane that nobody chose, or 0 if it is the default. */
 double lens_forced_near_m(const struct grid *grid);
 
-/* lens_init() for a scene; near_m 0 is the default, or what such a lens needs. Refuses a near plane that the renderer
- * would not have where it is asked for. */
+/* lens_init() for a scene; fov_deg may be LENS_USUAL; near_m 0 is the default, or what such a lens needs. Refuses a
+ * near plane that the renderer would not have where it is asked for. */
 bool lens_for_grid(struct lens *lens, double fov_deg, double near_m, const struct grid *grid, unsigned w_px,
                    unsigned h_px, struct error *err);
 

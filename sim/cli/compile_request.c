@@ -41,6 +41,7 @@ enum option_code {
     OPTION_FRAMEBUFFER,
     OPTION_SIZE,
     OPTION_PANEL,
+    OPTION_FOV,
     OPTION_NEAR,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
@@ -82,6 +83,7 @@ static const struct option OPTIONS[] = {
     {"core", required_argument, NULL, OPTION_CORE},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"panel", required_argument, NULL, OPTION_PANEL},
+    {"fov", required_argument, NULL, OPTION_FOV},
     {"near", required_argument, NULL, OPTION_NEAR},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
@@ -162,6 +164,8 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return parse_size(optarg, &out->compile.w_px, &out->compile.h_px, err);
     case OPTION_PANEL:
         return panel_choice_parse(optarg, NULL, &out->panel, err);
+    case OPTION_FOV:
+        return parse_fov(optarg, &out->compile.fov_deg, err);
     case OPTION_NEAR:
         return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_MAX_ERROR:

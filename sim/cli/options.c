@@ -226,7 +226,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_SIZE:
         return parse_size(text, &out->setup.w_px, &out->setup.h_px, err);
     case OPTION_FOV:
-        return parse_number("--fov", text, &out->fov_deg, err);
+        return parse_fov(text, &out->compile.fov_deg, err);
     case OPTION_NEAR:
         return parse_near(text, &out->compile.near_m, err);
     case OPTION_PANEL:
@@ -384,7 +384,6 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     const bool is_render = set == OPTIONS_RENDER;
     *out = (struct options){.setup = {0, 0, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
                             .orbit_frames = ORBIT_FRAMES,
-                            .fov_deg = 60.0,
                             .frames_per_s = 15.0,
                             .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT}};
     opterr = 0;

@@ -20,7 +20,6 @@ struct options {
     size_t frames; /* how many are drawn; 0: not said */
     struct simulator_setup setup;
     struct panel_choice panel; /* for SIMULATOR_PANEL */
-    double fov_deg;
     struct compile_options compile;
     struct lim_wireframe wireframe;
     uint16_t delta_runs; /* 0: every frame is sent whole */

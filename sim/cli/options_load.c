@@ -101,7 +101,7 @@ bool options_load(const struct options *options, struct compiled *scene, struct 
     if (!camera_choice_read(&options->cameras, path, err)) return false;
     if ((path->count && !take_frames(options, path, err)) || !load_scene(options, scene, moving, err)) return false;
     note_idle(options, moving);
-    if (!lens_for_grid(lens, options->fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
+    if (!lens_for_grid(lens, options->compile.fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
                        options->setup.h_px, err))
         return false;
     if (options->compile.near_m <= 0.0) lens_note_near(options->scene_path, &scene->grid);

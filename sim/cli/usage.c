@@ -193,6 +193,9 @@ static const struct usage_entry ENTRIES[] = {
     {COMPILE | EXPORT, "  --max-error P%      the cheapest precision with at most P % wrong pixels\n"},
     {COMPILE | EXPORT, "  --max-vertex-error Ppx  the same for the largest error of a vertex\n"},
     {COMPILE | EXPORT,
+     "  --fov DEG           the narrowest vertical field of view that the program has: with less than 14 degrees,\n"
+     "                      whichever way, firmware is as exact through such lenses (60)\n"},
+    {COMPILE | EXPORT,
      "  --camera FILE       or random:SEED[:FRAMES]: where that must hold (cameras sampled in the scene's "
      "free space)\n"},
     {COMPILE | EXPORT, "  --core NAME         whose instructions count: m0plus, m3, m4, m33, rv32 (fewest bits)\n"},
@@ -203,7 +206,7 @@ static const struct usage_entry ENTRIES[] = {
      "                      the same near the model's faces, small ones as often as large ones; or FILE.wad:MAP,\n"
      "                      where a map's players and things stand (16 of them, of such a MODEL)\n"},
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | ONE,
-     "  --fov DEG           vertical field of view (60)\n"},
+     "  --fov DEG           vertical field of view (60; very wide pictures: what is 60 across)\n"},
     {RENDER | VIEW | REPORT_BUG,
      "  --panel NAME        of an emulated chip: gc9a01, ili9341, ili9488, ssd1351, st7735, st7789, st7796,\n"
      "                      perhaps with :rgb444 or :rgb666; 16 greys: ssd0323, ssd1327; black and white:\n"

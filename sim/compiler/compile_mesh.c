@@ -336,6 +336,8 @@ bool compilation_tree(struct compilation *work, enum tree_kind kind, struct comp
     out->report.wireframe = options->wireframe;
     out->report.antialias = options->antialias;
     out->report.overlay = options->overlay;
+    out->report.tele =
+        lens_fov_is_long(options->fov_deg, side_or_default(options->w_px), side_or_default(options->h_px));
     out->report.round = options->round;
     out->report.fill = options->fill;
     out->report.framebuffer = options->framebuffer;

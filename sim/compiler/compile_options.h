@@ -56,6 +56,7 @@ struct compile_options {
     bool framebuffer;               /* for targets with all pixels in memory */
     bool wireframe;                 /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals;    /* whether to store what is seen from where; AUTO: if it pays */
+    double fov_deg;                 /* the narrowest of these cameras, from top to bottom; 0: lens_usual_fov_deg() */
     double near_m;                  /* of the cameras that it is for; 0: lens_default_near_m() */
     double forced_near_m;    /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
     bool drop_small;         /* leave out what is too small for the grid, instead of refusing the model */

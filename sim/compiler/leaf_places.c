@@ -16,7 +16,7 @@
  * Measured: 1.05 at most round figures and furniture, 1.2 to 2.1 in rooms of which the walls were the part. */
 static const double DEARER = 1.1;
 
-enum { CAMERAS_A_PART = 12, CAMERAS_MAX = 1200, CAMERAS_LEAST = 3, FOV_DEG = 60 };
+enum { CAMERAS_A_PART = 12, CAMERAS_MAX = 1200, CAMERAS_LEAST = 3 };
 enum { WITHOUT, WITH, BOTH };
 
 struct places {
@@ -36,7 +36,7 @@ static bool places_begin(struct places *places, const struct core *core)
         if (!simulator_init(&places->simulators[begun], &places->scenes[begun]->scene, &setup, &ignored)) break;
     }
     const struct compile_report *report = &places->scenes[WITHOUT]->report;
-    if (begun == BOTH && lens_for_grid(&places->lens, FOV_DEG, 0, &places->scenes[WITHOUT]->grid, report->w_px,
+    if (begun == BOTH && lens_for_grid(&places->lens, LENS_USUAL, 0, &places->scenes[WITHOUT]->grid, report->w_px,
                                        report->h_px, &ignored)) {
         sampler_init(&places->sampler, places->scenes[WITHOUT]);
         return true;

@@ -26,7 +26,7 @@
 enum { SAMPLED = 256, PORTRAITS = 64, CAMERAS = SAMPLED + PORTRAITS };
 /* A depth sort that splits so much is asked for by fewer cameras: FEW of either kind. */
 enum { ENOUGH_SPLITS = 20000, FEW = 4 };
-enum { STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 30000, PLENTY = 60000, FOV_DEG = 60 };
+enum { STRAYS = 1, LEAST_PIECES = 8, PLENTY_OF_PIECES = 30000, PLENTY = 60000 };
 enum { CAMERAS_AT_LEAST = STRAYS + 2 }; /* whatever time it takes */
 /* What is active is retained, and takes more cells than its head's. */
 enum { MOST_RETAINED = PLENTY / MCU_HEAD_CELLS };
@@ -181,7 +181,7 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
 
     sampler_init(&sampler, scene);
     usage->strays = is_sampled ? STRAYS : 0;
-    if (!lens_for_grid(&lens, FOV_DEG, 0, &scene->grid, simulator->target.w_px, simulator->target.h_px, err))
+    if (!lens_for_grid(&lens, LENS_USUAL, 0, &scene->grid, simulator->target.w_px, simulator->target.h_px, err))
         return false;
     for (int i = 0; i < cameras && !is_too_much(usage) && !ends_early(usage, cameras); i++) {
         struct lim_camera camera;

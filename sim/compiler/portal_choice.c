@@ -91,7 +91,7 @@ static bool trial_run(struct trial *trial, struct error *err)
     struct sampler sampler;
     struct lens lens;
     sampler_init(&sampler, trial->scene);
-    if (!lens_for_grid(&lens, FOV_DEG, 0, &trial->scene->grid, trial->scene->report.w_px, trial->scene->report.h_px,
+    if (!lens_for_grid(&lens, LENS_USUAL, 0, &trial->scene->grid, trial->scene->report.w_px, trial->scene->report.h_px,
                        err))
         return false;
     for (int i = 0; i < CAMERAS && deadline_check(err, "portals were still tried out"); i++) {

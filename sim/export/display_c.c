@@ -3,6 +3,7 @@
  * Both files are written with conditions of the project's own sources, which amalgam.h decides. */
 #include "export/display_c.h"
 
+#include "cameras/camera_path.h"
 #include "displays/idle_port.h"
 #include "displays/module_c.h"
 #include "scene/moving.h"
@@ -51,11 +52,12 @@ static void write_sizes(const struct export_plan *plan, const struct display *di
     fputs("/* What its SPI may run at, and in which modes, 1 << mode each (spi_modes). */\n", out);
     fprintf(out, "#define %s_DISPLAY_HZ UINT32_C(%" PRIu32 ")\n", macro, plan->module->speed_hz);
     fprintf(out, "#define %s_DISPLAY_SPI_MODES %u\n", macro, (unsigned)plan->module->spi_modes);
+    const double fov_deg = lens_usual_fov_deg(w_px, h_px);
     fprintf(
         out,
-        "/* A lens of %d degrees from top to bottom, for struct lim_camera; lim_camera_set_fov() makes others. */\n",
-        EXPORT_FOV_DEG);
-    const double tan_y = tan(EXPORT_FOV_DEG / 360.0 * PI), tan_x = tan_y * w_px / h_px;
+        "/* A lens of %.4g degrees from top to bottom, for struct lim_camera; lim_camera_set_fov() makes others. */\n",
+        fov_deg);
+    const double tan_y = tan(fov_deg / 360.0 * PI), tan_x = tan_y * w_px / h_px;
     fprintf(out, "#define %s_DISPLAY_TAN_X_Q28 UINT32_C(%.0f)\n", macro, tan_x * Q28);
     fprintf(out, "#define %s_DISPLAY_TAN_Y_Q28 UINT32_C(%.0f)\n\n", macro, tan_y * Q28);
 }

@@ -30,7 +30,7 @@ bool export_is_in_colour(const struct export_plan *plan);
 bool export_is_filled(const struct export_plan *plan);
 
 /* The lens of the example; and the least stack that a renderer takes. */
-enum { EXPORT_FOV_DEG = 60, EXPORT_STACK_B = 640 };
+enum { EXPORT_STACK_B = 640 };
 
 /* Bytes of constant data, and of RAM without the stack: with what the scene asks for, and with the least that it takes.
  */

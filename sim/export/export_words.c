@@ -19,7 +19,7 @@ enum { ORBIT_FRAMES = 36 };
 static const double PI = 3.14159265358979323846;
 
 struct export_orbit {
-    double target_m[3], radius_m, elevation_deg, near_m;
+    double target_m[3], radius_m, elevation_deg, near_m, fov_deg;
 };
 
 static bool plan_orbit(const struct export_plan *plan, struct export_orbit *orbit, struct error *err)
@@ -27,7 +27,7 @@ static bool plan_orbit(const struct export_plan *plan, struct export_orbit *orbi
     struct lens lens;
     struct camera_path path;
     const struct compiled *scene = plan->scenes[0].scene;
-    if (!lens_for_grid(&lens, EXPORT_FOV_DEG, plan->near_m, &scene->grid, plan->w_px, plan->h_px, err) ||
+    if (!lens_for_grid(&lens, LENS_USUAL, plan->near_m, &scene->grid, plan->w_px, plan->h_px, err) ||
         !camera_path_orbit(scene, &lens, ORBIT_FRAMES, &path, err))
         return false;
     const struct viewpoint *first = &path.frames[0];
@@ -39,6 +39,7 @@ static bool plan_orbit(const struct export_plan *plan, struct export_orbit *orbi
     orbit->radius_m = sqrt(square_m2);
     orbit->elevation_deg = asin((first->eye_m[1] - first->target_m[1]) / orbit->radius_m) * 180.0 / PI;
     orbit->near_m = lens.near_m;
+    orbit->fov_deg = lens_usual_fov_deg(plan->w_px, plan->h_px);
     camera_path_free(&path);
     return true;
 }
@@ -98,7 +99,7 @@ static void add_orbit(const struct export_orbit *orbit, bool is_long, struct exp
     add_word(words, "ORBIT_M", "%.6g", orbit->radius_m);
     add_word(words, "PITCH", "%.0f", -orbit->elevation_deg);
     add_word(words, "NEAR_M", "%.3g", orbit->near_m);
-    add_word(words, "LENS", "%d", EXPORT_FOV_DEG);
+    add_word(words, "LENS", "%.4g", orbit->fov_deg);
 }
 
 /* Who sets chip select: the port, or the display's driver. */

@@ -16,7 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FOV_DEG = 60 };
 static const double CHOICE_SHARE = 0.5; /* of the time: then the scene is compiled for what was chosen */
 
 /* What is measured: the model, its scene without and with fractions, the views. */
@@ -80,7 +79,8 @@ static bool prepare(struct trial *trial, const char *model_path, const struct co
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
     if (!compile_rows(trial, options, choice, err)) return false;
     const struct compiled *scene = trial->candidates[0].scene;
-    return lens_for_grid(&trial->lens, FOV_DEG, options->near_m, &scene->grid, options->w_px, options->h_px, err) &&
+    return lens_for_grid(&trial->lens, options->fov_deg, options->near_m, &scene->grid, options->w_px, options->h_px,
+                         err) &&
            (bound->cameras.text ? camera_choice_plan(&bound->cameras, scene, &trial->lens, 0, &trial->path, err)
                                 : sample_path(trial, scene, err));
 }

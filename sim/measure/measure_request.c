@@ -255,7 +255,7 @@ static bool parse_option(int code, char **argv, struct measure_request *out, str
     case OPTION_SIZE:
         return parse_size(optarg, &out->w_px, &out->h_px, err);
     case OPTION_FOV:
-        return parse_number("--fov", optarg, &out->fov_deg, err);
+        return parse_fov(optarg, &out->compile.fov_deg, err);
     case OPTION_NEAR:
         return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_PRECISION:
@@ -340,7 +340,6 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
         .worst = {.seconds = -1.0},
         .w_px = 240,
         .h_px = 240,
-        .fov_deg = 60.0,
         .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT, .choose_order = true},
         .frames = FRAMES_MAX,
         .cost_frames = COST_FRAMES};
@@ -372,7 +371,7 @@ bool measure_request_load(const struct measure_request *request, struct measure_
     if (!camera_choice_read(&request->cameras, path, err)) return false;
     if (!measure_source_read(source, request->model, &request->compile, request->w_px, request->h_px, err))
         return false;
-    return lens_for_grid(lens, request->fov_deg, request->compile.near_m, &source->mesh.grid, request->w_px,
+    return lens_for_grid(lens, request->compile.fov_deg, request->compile.near_m, &source->mesh.grid, request->w_px,
                          request->h_px, err);
 }
 

@@ -28,7 +28,6 @@ struct measure_request {
     bool sub_bits;             /* with the usual variants */
     char name[MEASURE_NAME_B]; /* the model's, without folder and suffix */
     unsigned w_px, h_px;
-    double fov_deg;
     struct compile_options compile;
     const struct core *cores[MEASURE_CORES_MAX];
     char variants[MEASURE_CORES_MAX][SUB_BITS_NAME_B]; /* with other sub-pixel bits, to be loaded: they come behind */

@@ -118,6 +118,7 @@ struct compile_report {
     bool wireframe;               /* firmware can draw it as wireframe */
     uint16_t delta_runs;          /* firmware can send what changes alone, which takes so many runs; 0: it cannot */
     bool overlay;                 /* firmware can draw over its frames */
+    bool tele;                    /* it draws as exactly through long lenses */
     bool round;                   /* firmware leaves out what round glass does not show */
     bool fill;                    /* firmware fills a picture that its target keeps */
     bool framebuffer;             /* firmware paints into a framebuffer */

@@ -46,6 +46,7 @@ static struct needs needs_of_scene(const struct compiled *scene)
                           .textures = scene->scene.texture_count > 0,
                           .masked = has_textures(&scene->scene, LIM_TEXTURE_MASKED),
                           .sky = has_textures(&scene->scene, LIM_TEXTURE_SKY),
+                          .tele = scene->report.tele,
                           .portals = scene->scene.place_count > 0,
                           .slanted = scene->scene.plane_count > 0,
                           .large = scene->scene.exact_count > 0,
@@ -103,6 +104,7 @@ struct needs needs_union(const struct needs *a, const struct needs *b)
                           .textures = a->textures || b->textures,
                           .masked = a->masked || b->masked,
                           .sky = a->sky || b->sky,
+                          .tele = a->tele || b->tele,
                           .portals = a->portals || b->portals,
                           .slanted = a->slanted || b->slanted,
                           .large = a->large || b->large,
@@ -177,6 +179,7 @@ void needs_write(const struct needs *needs, FILE *file)
     write_macro(file, "HAS_TEXTURE", needs->textures);
     write_macro(file, "HAS_MASKED", needs->masked);
     write_macro(file, "HAS_SKY", needs->sky);
+    write_macro(file, "HAS_TELE", needs->tele);
     write_macro(file, "HAS_PORTALS", needs->portals);
     write_macro(file, "HAS_SLANTED", needs->slanted);
     write_macro(file, "HAS_LARGE", needs->large);

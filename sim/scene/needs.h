@@ -16,6 +16,7 @@ struct needs {
     bool depth, newell, mesh, mesh_depth;    /* more of them */
     bool leaves, mesh_leaves;                /* ordered clusters; leaves whose order is by distance */
     bool textures, masked, sky;              /* masked: some have clear texels; sky: some are seen around the eye */
+    bool tele;                               /* lenses below LIM_TAN_TELE_Q28 */
     bool portals;                            /* what can be seen from where */
     bool wide;                               /* indices of 32 bits */
     bool cull, slanted, large;               /* what the methods have to do with the scene's boxes and planes */

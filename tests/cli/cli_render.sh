@@ -67,8 +67,10 @@ for fov in 0 180 -60 nan x 60x ''; do
     refuse "field of view '$fov' is refused" "^limner: --fov" render pyramid.obj --fov "$fov"
 done
 refuse "a lens too wide is refused" '^limner: --fov 155: too wide' render pyramid.obj --fov 155
-refuse "a picture too wide for the lens is refused" 'too wide at 1024x100' render pyramid.obj --size 1024x100
-refuse "a lens too narrow is refused" '^limner: --fov 1: too narrow' render pyramid.obj --fov 1
+refuse "a picture too wide for the lens is refused, with the widest that fits" 'too wide at 1024x100, where 42.673 degrees are most' \
+    render pyramid.obj --size 1024x100 --fov 60
+refuse "a lens too narrow is refused, with the narrowest that fits" '^limner: --fov 0.05: too narrow at 240x240, where 0.056 degrees are least' \
+    render pyramid.obj --fov 0.05
 for near in 0 -1 nan inf x ''; do
     refuse "near plane '$near' is refused" '^limner: --near' render pyramid.obj --near "$near"
 done
@@ -157,6 +159,16 @@ tap_check "frames are numbered PNG files" writes_frames
 
 writes_by_default() { mkdir default && cd default && timeout 60 "$limner" render ../pyramid.obj --size 24x24 && [ "$(find out -name '*.png' | wc -l)" -eq 16 ]; }
 tap_check "without options an orbit of 16 frames goes to out/" writes_by_default
+
+draws_lines() {
+    for size in 200x1 1x200 1024x1 1x1024; do
+        timeout 60 "$limner" render ../pyramid.obj --size $size --compare --sheet x.png >said && grep -q 'holes 0$' said || return 1
+    done
+}
+tap_check "displays of one line or column draw without a lens said" draws_lines
+
+draws_long() { timeout 60 "$limner" render ../pyramid.obj --size 320x200 --fov 1 --compare --sheet x.png >said && grep -q 'holes 0$' said; }
+tap_check "a lens of 1 degree draws, as far away as an eye can be" draws_long
 
 writes_films() { render --gif x.gif --sheet x.png && [ "$(head -c 6 x.gif)" = GIF89a ] && [ -s x.png ] && [ ! -e x.png.part ]; }
 tap_check "an animated GIF and a contact sheet are written" writes_films

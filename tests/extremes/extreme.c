@@ -18,7 +18,7 @@ enum { LEAST_PX = 1000 };     /* of a screen that has more than edges */
 /* The nearest near plane that the renderer has, in units, with some room. */
 static double least_near_units(const struct lens *lens)
 {
-    return 2.1 / fmin(1, fmin(lens->tan_x, lens->tan_y));
+    return 2.1 / (lens_is_long(lens) ? 0.5 : fmin(1, fmin(lens->tan_x, lens->tan_y)));
 }
 
 static void open_lens(struct extreme *extreme)

@@ -88,13 +88,18 @@ void extreme_picture_consider(struct extreme_best *best, const uint32_t *faces, 
     }
 }
 
+/* At least one pixel, however thin the picture is. */
+static unsigned shown_px(unsigned side_px, unsigned longer_px)
+{
+    if (longer_px <= SHOWN_PX) return side_px * (SHOWN_PX / longer_px);
+    return side_px * SHOWN_PX < longer_px ? 1 : side_px * SHOWN_PX / longer_px;
+}
+
 /* Whole pixels where there are fewer than are shown, means where there are more. */
 static gdImagePtr picture_of(const struct extreme_best *best, unsigned w_px, unsigned h_px)
 {
     const unsigned longer_px = w_px > h_px ? w_px : h_px;
-    const unsigned times = longer_px < SHOWN_PX ? SHOWN_PX / longer_px : 1;
-    const unsigned shown_w_px = longer_px > SHOWN_PX ? w_px * SHOWN_PX / longer_px : w_px * times;
-    const unsigned shown_h_px = longer_px > SHOWN_PX ? h_px * SHOWN_PX / longer_px : h_px * times;
+    const unsigned shown_w_px = shown_px(w_px, longer_px), shown_h_px = shown_px(h_px, longer_px);
     gdImagePtr whole = gdImageCreateTrueColor((int)w_px, (int)h_px);
     gdImagePtr shown = gdImageCreateTrueColor((int)shown_w_px, (int)shown_h_px);
 

@@ -167,7 +167,7 @@ static void clipped_polygons(void **state)
     for (int32_t near_qv = 1 << 15; near_qv < 1 << 18; near_qv = near_qv * 2 + 1) {
         uint32_t hash = GOLDEN_HASH, corners = 0;
         for (int i = 0; i < 10000; i++) {
-            struct lim_clip_polygon polygons[2];
+            struct lim_clip_polygon polygons[2] = {{0}};
             any_view_polygon(&random, &polygons[0], (uint8_t)random_in(&random, 3, 9), near_qv);
             const struct lim_clip_polygon *clipped = lim_clip(polygons, near_qv);
             hash = add(hash, clipped->n);

@@ -72,7 +72,7 @@ static void each_of_several_lone_corners_outside_is_replaced_by_one_point(void *
     (void)state;
     for (int n = 8; n < CLIP_MAX_VERTICES; n++)
         for (int outside = 0; outside <= n / 2 - 1; outside++) {
-            struct lim_clip_polygon polygons[2];
+            struct lim_clip_polygon polygons[2] = {{0}};
             make_comb(&polygons[0], n, outside, NEAR_QV);
             assert_int_equal(lim_clip(polygons, NEAR_QV)->n, outside == 1 ? n + 1 : n);
         }

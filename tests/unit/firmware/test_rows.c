@@ -56,8 +56,8 @@ static void lenses_and_near_planes_are_taken_within_their_limits_alone(void **st
     static const struct {
         uint32_t q28;
         bool taken;
-    } tangents[] = {{0, false},          {ONE_Q28 / 64 - 1, false}, {ONE_Q28 / 64, true},
-                    {ONE_Q28 * 4, true}, {ONE_Q28 * 4 + 1, false},  {UINT32_MAX, false}};
+    } tangents[] = {{0, false},          {ONE_Q28 / 2048 - 1, false}, {ONE_Q28 / 2048, true},
+                    {ONE_Q28 * 4, true}, {ONE_Q28 * 4 + 1, false},    {UINT32_MAX, false}};
     static const struct {
         int32_t q8;
         bool taken;
@@ -320,6 +320,114 @@ static void the_near_plane_is_where_it_was_asked_for(void **state)
     assert_true(asked > CAMERAS / 10 && least > CAMERAS / 10);
 }
 
+/* -- Long lenses ------------------------------------------------------------------------------------------------------
+ */
+
+static struct lim_camera long_camera(struct random *random, const struct boxed *boxed)
+{
+    struct lim_camera camera = usual;
+
+    camera.yaw = (uint32_t)random_u64(random);
+    camera.pitch = (uint32_t)random_u64(random);
+    camera.roll = (uint32_t)random_u64(random);
+    camera.tan_x_q28 = (uint32_t)random_in(random, LIM_TAN_MIN_Q28, INT64_C(1) << random_in(random, 18, 25)) - 1;
+    if (camera.tan_x_q28 < LIM_TAN_MIN_Q28) camera.tan_x_q28 = LIM_TAN_MIN_Q28;
+    camera.tan_y_q28 = camera.tan_x_q28 << random_in(random, 0, 5);
+    any_eye(camera.eye_q8, &boxed->box, random, INT64_C(1) << random_in(random, 0, 26));
+    return camera;
+}
+
+/* Puts the eye where the lens shows the vertex, anywhere in the picture, from near by or far away. */
+static void look_at_vertex(struct random *random, struct lim_camera *camera, const int32_t axes_q30[9],
+                           const struct lim_vertex *vertex)
+{
+    const double ahead = ldexp(1 + random_unit(random), (int)random_in(random, 3, 18));
+    const double right = ahead * ldexp(camera->tan_x_q28, -28) * (2 * random_unit(random) - 1),
+                 down = ahead * ldexp(camera->tan_y_q28, -28) * (2 * random_unit(random) - 1);
+    const int16_t at[3] = {vertex->x, vertex->y, vertex->z};
+
+    for (int i = 0; i < 3; i++) {
+        const double way = (right * axes_q30[i] + down * axes_q30[3 + i] + ahead * axes_q30[6 + i]) / (1 << 30);
+        camera->eye_q8[i] = (int32_t)round((at[i] - way) * 256);
+    }
+}
+
+/* The way from the eye along an axis of the camera. */
+static long double along(const struct lim_camera *camera, const int32_t axis_q30[3], const struct lim_vertex *vertex)
+{
+    const int16_t at[3] = {vertex->x, vertex->y, vertex->z};
+    long double sum = 0;
+
+    for (int i = 0; i < 3; i++)
+        sum += axis_q30[i] * 0x1p-30L * (at[i] - camera->eye_q8[i] / 256.0L);
+    return sum;
+}
+
+static long double length_of(const struct lim_row *row)
+{
+    long double sum = 0;
+
+    for (int i = 0; i < 3; i++)
+        sum += (long double)row->n_qv[i] * row->n_qv[i];
+    return sqrtl(sum);
+}
+
+/* A row's entries are off by half a unit each. A long lens would show that many times over, if it were not for what is
+ * added of z; that leaves as much as any other lens shows. */
+static void what_a_long_lens_sees_is_where_it_belongs(void **state)
+{
+    struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
+    struct random random = {41};
+    int seen = 0;
+
+    (void)state;
+    for (int k = 0; k < 20 * CAMERAS; k++) {
+        struct boxed boxed;
+        struct lim_view view;
+        struct lim_vertex vertex;
+        struct lim_view_point point;
+        int32_t axes_q30[9];
+        any_box(&boxed, &random);
+        struct lim_camera camera = long_camera(&random, &boxed);
+        const uint32_t tans_q28[2] = {camera.tan_x_q28, camera.tan_y_q28};
+        lim_orientation_set(axes_q30, &camera);
+        vertex = corner(&boxed.box, (int)random_in(&random, 0, 7));
+        look_at_vertex(&random, &camera, axes_q30, &vertex);
+        lim_view_init(&view, 240, 240, cache);
+        if (!lim_view_begin(&view, &boxed.scene, &camera)) continue; /* too far away */
+        lim_view_transform(&view, &boxed.scene, &vertex, &point);
+        const long double ahead = along(&camera, axes_q30 + 6, &vertex);
+        for (uint_fast8_t i = 0; i < 2 && point.z_qv >= view.rows.near_qv; i++) {
+            const long double zoomed_qv = ldexpl(point.z_qv, -view.rows.zoom_bits[i]);
+            const long double tangent = tans_q28[i] / (long double)ONE_Q28;
+            const long double exact = along(&camera, axes_q30 + 3 * i, &vertex) / ahead / tangent;
+            const long double wide = fmaxl(fabsl(exact), camera.tan_y_q28 / (long double)camera.tan_x_q28);
+            const long double most = 1.75L * (1 + wide) / length_of(&view.rows.row[i]) + 1.6L / zoomed_qv;
+            assert_true(fabsl(point.qv[i] / zoomed_qv - exact) <= most);
+            seen++;
+        }
+    }
+    assert_true(seen > CAMERAS);
+}
+
+/* z has all of its bits, whatever the lens. */
+static void the_near_plane_of_a_long_lens_is_as_near_as_that_of_others(void **state)
+{
+    struct random random = {43};
+
+    (void)state;
+    for (int k = 0; k < CAMERAS; k++) {
+        struct boxed boxed;
+        struct lim_rows rows;
+        any_box(&boxed, &random);
+        struct lim_camera camera = long_camera(&random, &boxed);
+        camera.near_q8 = 1;
+        assert_true(lim_rows_set(&rows, &boxed.scene, &camera));
+        const long double near = rows.near_qv / length_of(&rows.row[2]);
+        assert_true(near <= fmaxl(2.1L, 2.1L * rows.far_units / 65536));
+    }
+}
+
 /* They may be all that there is: nine. */
 static void axes_that_are_the_cameras_give_its_rows(void **state)
 {
@@ -361,6 +469,8 @@ int main(void)
         cmocka_unit_test(the_scale_has_the_least_rounding),
         cmocka_unit_test(corners_are_where_they_belong_the_nearest_to_the_unit),
         cmocka_unit_test(the_near_plane_is_where_it_was_asked_for),
+        cmocka_unit_test(what_a_long_lens_sees_is_where_it_belongs),
+        cmocka_unit_test(the_near_plane_of_a_long_lens_is_as_near_as_that_of_others),
         cmocka_unit_test(axes_that_are_the_cameras_give_its_rows),
     };
 

@@ -294,6 +294,42 @@ static void lens_has_square_pixels(void **state)
     assert_true(fabs(lens.tan_y - 1.0) < 1e-15 && fabs(lens.tan_x - 4.0 / 3.0) < 1e-15);
 }
 
+static void a_lens_that_nobody_chose_fits_every_picture(void **state)
+{
+    (void)state;
+    static const unsigned sides_px[] = {1, 2, 8, 100, 240, 320, 1024};
+    enum { SIDES = sizeof sides_px / sizeof *sides_px };
+    for (size_t i = 0; i < (size_t)SIDES * SIDES; i++) {
+        const unsigned w_px = sides_px[i / SIDES], h_px = sides_px[i % SIDES];
+        struct lens lens;
+        struct error err;
+        assert_true(lens_init(&lens, lens_usual_fov_deg(w_px, h_px), 0.1, w_px, h_px, &err));
+        const double degrees = 2.0 * atan(w_px > 6 * h_px ? lens.tan_x : lens.tan_y) / acos(-1.0) * 180.0;
+        assert_true(fabs(degrees - 60.0) < 1e-9);
+    }
+}
+
+/* What an error names is a lens, and a little more or less is none. */
+static void the_lens_that_is_named_fits(void **state)
+{
+    (void)state;
+    static const unsigned sides_px[][2] = {{240, 240}, {200, 1}, {1, 200}, {1024, 600}, {84, 48}};
+    for (size_t i = 0; i < sizeof sides_px / sizeof *sides_px; i++) {
+        const unsigned w_px = sides_px[i][0], h_px = sides_px[i][1];
+        struct lens lens;
+        struct error err;
+        double named_deg;
+        assert_false(lens_init(&lens, 179.0, 0.1, w_px, h_px, &err));
+        assert_int_equal(sscanf(strstr(err.text, "where ") + 6, "%lf", &named_deg), 1);
+        assert_true(lens_init(&lens, named_deg, 0.1, w_px, h_px, &err));
+        assert_false(lens_init(&lens, named_deg + 0.0011, 0.1, w_px, h_px, &err));
+        assert_false(lens_init(&lens, 0.00001, 0.1, w_px, h_px, &err));
+        assert_int_equal(sscanf(strstr(err.text, "where ") + 6, "%lf", &named_deg), 1);
+        assert_true(lens_init(&lens, named_deg, 0.1, w_px, h_px, &err));
+        assert_false(lens_init(&lens, named_deg - 0.0011, 0.1, w_px, h_px, &err));
+    }
+}
+
 static void lens_out_of_range_is_refused(void **state)
 {
     (void)state;
@@ -302,7 +338,7 @@ static void lens_out_of_range_is_refused(void **state)
         unsigned w_px, h_px;
     } cases[] = {{0.0, 0.1, 240, 240},   {180.0, 0.1, 240, 240}, {NAN, 0.1, 240, 240},  {-60.0, 0.1, 240, 240},
                  {60.0, 0.0, 240, 240},  {60.0, -1.0, 240, 240}, {60.0, NAN, 240, 240}, {60.0, INFINITY, 240, 240},
-                 {152.0, 0.1, 240, 240}, {60.0, 0.1, 1000, 100}, {60.0, 0.1, 10, 1000}, {1.0, 0.1, 240, 240}};
+                 {152.0, 0.1, 240, 240}, {60.0, 0.1, 1000, 100}, {0.5, 0.1, 10, 1000},  {0.05, 0.1, 240, 240}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct lens lens;
         struct error err;
@@ -427,6 +463,8 @@ int main(void)
         cmocka_unit_test(near_plane_beyond_the_renderers_range_is_refused),
         cmocka_unit_test(default_near_plane_fits_every_scale),
         cmocka_unit_test(lens_has_square_pixels),
+        cmocka_unit_test(a_lens_that_nobody_chose_fits_every_picture),
+        cmocka_unit_test(the_lens_that_is_named_fits),
         cmocka_unit_test(lens_out_of_range_is_refused),
         cmocka_unit_test(orbit_fills_the_view_with_the_whole_scene),
     };
