@@ -17,9 +17,19 @@ enum { SIDE_PX = 6 };
 /* From inside or from far away; the checksum throws the dice. */
 static const char *draw(const struct lim_scene *scene, uint32_t crc32)
 {
-    static const struct lim_camera cameras[] = {
-        {{1000, 2000, -3000}, 0x12345678, 0x0FEDCBA9, 0, 1u << 28, 1u << 28, 256},
-        {{100000 * 256, 50000 * 256, 100000 * 256}, 0x20000000, 0xF0000000, 0x40000000, 1u << 28, 1u << 27, 256}};
+    static const struct lim_camera cameras[] = {{.eye_q8 = {1000, 2000, -3000},
+                                                 .yaw = 0x12345678,
+                                                 .pitch = 0x0FEDCBA9,
+                                                 .tan_x_q28 = 1u << 28,
+                                                 .tan_y_q28 = 1u << 28,
+                                                 .near_q8 = 256},
+                                                {.eye_q8 = {100000 * 256, 50000 * 256, 100000 * 256},
+                                                 .yaw = 0x20000000,
+                                                 .pitch = 0xF0000000,
+                                                 .roll = 0x40000000,
+                                                 .tan_x_q28 = 1u << 28,
+                                                 .tan_y_q28 = 1u << 27,
+                                                 .near_q8 = 256}};
     const struct fuzz_frame frame = {
         .scene = scene, .camera = cameras[crc32 >> 8 & 1], .w_px = SIDE_PX, .h_px = SIDE_PX};
 

@@ -289,7 +289,7 @@ static int64_t random_vertex(uint32_t *random)
     struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
     struct lim_view view;
     struct lim_view_point p;
-    struct lim_camera camera = {{0}, 0, 0, 0, UINT32_C(155000000), UINT32_C(155000000), 256 * 16};
+    struct lim_camera camera = {.tan_x_q28 = 155000000, .tan_y_q28 = 155000000, .near_q8 = 256 * 16};
     const struct lim_scene scene = {0};
     struct lim_vertex vertex;
 

@@ -34,7 +34,11 @@ static void an_edge_that_zigzags_across_a_clip_plane_adds_one_vertex_at_most(voi
     lim_view_init(&view, 240, 240, cache);
     for (int32_t near_q8 = 1000 * 256 - 512; near_q8 < 1000 * 256 + 512; near_q8 += 8) {
         const uint32_t along = turn(atan2(-1, 2)), one_q28 = UINT32_C(1) << 28;
-        const struct lim_camera camera = {{-114487, 102400, 228973}, along, 0, 0, one_q28, one_q28, near_q8};
+        const struct lim_camera camera = {.eye_q8 = {-114487, 102400, 228973},
+                                          .yaw = along,
+                                          .tan_x_q28 = one_q28,
+                                          .tan_y_q28 = one_q28,
+                                          .near_q8 = near_q8};
         struct lim_clip_polygon polygons[2] = {{.n = N}};
         int outside = 0;
         assert_true(lim_view_begin(&view, &scene, &camera));

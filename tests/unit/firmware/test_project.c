@@ -76,7 +76,8 @@ static void a_record_has_a_flag_an_edge(void **state)
     enum { MOST = 40 };
     static struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
     static const struct lim_rect open = {0, 0, 200, 200};
-    const struct lim_camera camera = {{0, 0, 1000 * 256}, 0, 0, 0, UINT32_C(1) << 28, UINT32_C(1) << 28, 256};
+    const struct lim_camera camera = {
+        .eye_q8 = {0, 0, 1000 * 256}, .tan_x_q28 = 1 << 28, .tan_y_q28 = 1 << 28, .near_q8 = 256};
     struct random random = {202};
     struct lim_screen_polygon polygon;
     struct lim_stats stats = {0};

@@ -23,7 +23,8 @@ enum { SCALES = 32, SCALE_MOST = 32767, BOXES = 20000, CAMERAS = 3000 };
 /* -- Cameras ----------------------------------------------------------------------------------------------------------
  */
 
-static const struct lim_camera usual = {{0, 0, 2560}, 0, 0, 0, ONE_Q28, ONE_Q28, 256};
+static const struct lim_camera usual = {
+    .eye_q8 = {0, 0, 2560}, .tan_x_q28 = ONE_Q28, .tan_y_q28 = ONE_Q28, .near_q8 = 256};
 static const struct lim_scene no_scene;
 
 static bool is_taken(const struct lim_camera *camera)

@@ -33,7 +33,7 @@ static void area_add(const struct outline *outline, uint32_t a, uint32_t b, uint
     const uint32_t corners[3] = {a, b, c};
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            at[i][k] = outline->corners[corners[i]].q8[k];
+            at[i][k] = (double)outline->corners[corners[i]].q8[k];
     vec3_sub(at[1], at[1], at[0]);
     vec3_sub(at[2], at[2], at[0]);
     for (int k = 0; k < 3; k++)

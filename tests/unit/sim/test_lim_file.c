@@ -117,12 +117,12 @@ static void the_file_is_little_endian(void **state)
 {
     (void)state;
     unsigned char *bytes = written_bytes();
-    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 11, 0, 0, 0, 144, 0, 0, 0};
+    const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 12, 0, 0, 0, 152, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
     assert_int_equal(bytes[30] | bytes[31] << 8, 0x40A7); /* 3000.0 = 2^11 * 1.46.. */
     assert_int_equal(bytes[56] | bytes[57] << 8, scene.scene.vertex_count);
-    assert_int_equal((int16_t)(bytes[144] | bytes[145] << 8), scene.scene.vertices[0].x);
+    assert_int_equal((int16_t)(bytes[152] | bytes[153] << 8), scene.scene.vertices[0].x);
     free(bytes);
 }
 
@@ -138,7 +138,7 @@ static void swapping_reverses_fields_and_undoes_itself(void **state)
     lim_image_swap_sections(bytes, &header);
     lim_image_swap_header(bytes);
     assert_memory_equal(bytes, scene.image, LIM_FILE_MAGIC_B);
-    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 11, 0, 0, 0, 144}), 8);
+    assert_memory_equal(bytes + 8, ((unsigned char[]){0, 0, 0, 12, 0, 0, 0, 152}), 8);
     const unsigned char *plane = bytes + lim_image_section_b(&header, SECTION_PLANES);
     const struct lim_plane *first = &scene.scene.planes[0];
     assert_int_equal((int16_t)(plane[2] << 8 | plane[3]), lim_plane_x(first));
@@ -188,7 +188,7 @@ static void other_versions_are_refused_by_number(void **state)
     unsigned char *bytes = written_bytes();
     bytes[8] = LIM_FILE_VERSION + 1;
     write_bytes(bytes, scene.image_b);
-    assert_unreadable("version 12; this program reads version 11");
+    assert_unreadable("version 13; this program reads version 12");
     free(bytes);
 }
 
@@ -198,7 +198,7 @@ static void any_flipped_bit_is_noticed(void **state)
     (void)state;
     unsigned char *bytes = written_bytes();
     struct error err;
-    for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 144 * 8 ? 1 : 397) {
+    for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 152 * 8 ? 1 : 397) {
         bytes[bit / 8] ^= (unsigned char)(1 << bit % 8);
         write_bytes(bytes, scene.image_b);
         assert_false(reads(&err));

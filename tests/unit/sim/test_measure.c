@@ -99,9 +99,10 @@ static void a_misplaced_vertex_is_found_out(void **state)
     assert_true(fabs(accuracy.vertex_max_px - 5.0) < 0.1);
 }
 
-static int8_t side_of_a_liar(const struct lim_scene *scene, const struct lim_plane_ref *ref, const int32_t eye_q8[3])
+static int8_t side_of_a_liar(const struct lim_scene *scene, const struct lim_plane_ref *ref,
+                             const struct lim_camera *camera)
 {
-    const int8_t side = core_fine.eye_side(scene, ref, eye_q8);
+    const int8_t side = core_fine.eye_side(scene, ref, camera);
     if (ref != &scene->nodes[0].split) return side;
     return side ? (int8_t)-side : 1;
 }
