@@ -190,6 +190,7 @@ static void prefer_lattice(const struct place *places, size_t count, const struc
 static void choose_scale(const struct place *places, size_t count, const struct bounds *all, double longest_m,
                          double lattice_m, struct grid *grid)
 {
+    *grid = (struct grid){0};
     for (int axis = 0; axis < 3; axis++)
         grid->origin_m[axis] = all->low[axis] + (all->high[axis] - all->low[axis]) / 2;
     grid->units_per_m = GRID_SPAN_UNITS / longest_m;
