@@ -136,6 +136,9 @@ static void settle(struct lim_view_point *point, int32_t least_z_qv, const struc
 struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t near_qv)
 {
     struct lim_clip_polygon *polygon = &polygons[0], *other = &polygons[1];
+
+    for (uint_fast8_t k = 0; LIM_HAS_LONG && k < polygon->n; k++)
+        if (*polygon->at[k].exponent < 0) lim_clip_coarsen(&polygon->at[k], near_qv);
     uint32_t crossed = planes_crossed(polygon, near_qv >> 1);
 
     for (uint_fast8_t number = 0; crossed && polygon->n; number++, crossed >>= 1) {

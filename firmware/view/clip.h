@@ -40,6 +40,10 @@ static inline void lim_clip_load(struct lim_clip_polygon *polygon, const struct 
 void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *a, int32_t a_d,
                        const struct lim_view_point *b, int32_t b_d);
 
+/* Raises the exponent, which is negative, of a point so near to the eye that the near plane's distance would have more
+ * than 30 bits by it. */
+void lim_clip_coarsen(struct lim_view_point *point, int32_t near_qv);
+
 /* polygons[0] is clipped, in two places by turns; returns the one with the result. Every point that is left has
  * near <= z and |x|, |y| <= 2z. */
 struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t near_qv);

@@ -31,9 +31,21 @@ static struct share share_of(uint32_t part, uint32_t rest, uint_fast8_t up)
 }
 
 /* x / 2^down, also where that is beyond 63 bits. */
-static inline int64_t shifted(int64_t x, int_fast16_t down)
+static inline int64_t shifted(int64_t x, int32_t down)
 {
-    return down >= 0 ? x >> (down < 63 ? down : 63) : x * (INT64_C(1) << -down);
+    return x >> (down < 63 ? down : 63);
+}
+
+/* Such a point is before the near plane, and its last bits are nothing beside that. */
+void lim_clip_coarsen(struct lim_view_point *point, int32_t near_qv)
+{
+    uint_fast8_t down = 0;
+
+    while (*point->exponent + down < -30 || near_qv > INT32_C(1) << (30 + *point->exponent + down))
+        down++;
+    for (uint_fast8_t i = 0; i < 3; i++)
+        point->qv[i] >>= down < 31 ? down : 31;
+    *point->exponent = (int8_t)(*point->exponent + down);
 }
 
 void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *a, int32_t a_d,
@@ -48,8 +60,8 @@ void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *
     uint_fast8_t down = 0;
 
     for (uint_fast8_t i = 0; i < 3; i++) {
-        const int64_t to_high = ((int64_t)high->qv[i] * share.m_q31) >> 31, of_low = ((int64_t)low->qv[i] * share.m_q31) >> 31;
-        at[i] = low->qv[i] + shifted(to_high, (int_fast16_t)share.down - up) - shifted(of_low, share.down);
+        const int64_t to_high = (int64_t)high->qv[i] * share.m_q31, of_low = (int64_t)low->qv[i] * share.m_q31;
+        at[i] = low->qv[i] + shifted(to_high, 31 + share.down - up) - shifted(of_low, 31 + share.down);
         size |= (uint64_t)(at[i] ^ at[i] >> 63);
     }
     for (; size >> 30; size >>= 1)
