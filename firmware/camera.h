@@ -57,8 +57,16 @@ struct lim_camera {
 };
 LIM_OPTIONAL_END
 
-/* lim_look_at() and lim_orbit() in a scene of many scales: eye, target and radius in whole units, below 2^30. The eye is
- * where they put it, to a unit; it is in origin, and eye_q8 is 0. */
+/* Where an eye is in such a scene: |at| < 2^30 units, and what is left of one. */
+struct lim_long;
+struct lim_long_eye {
+    const struct lim_long *all; /* the scene's arrays; NULL: it is none of 32 bits, and the rest is not set */
+    int32_t at[3];
+    uint8_t fraction_q8[3];
+};
+
+/* lim_look_at() and lim_orbit() in a scene of many scales: eye, target and radius in whole units, below 2^30. The eye
+ * is where they put it, to a unit; it is in origin, and eye_q8 is 0. */
 void lim_look_at_far(struct lim_camera *camera, const int32_t eye[3], const int32_t target[3]);
 void lim_orbit_far(struct lim_camera *camera, const int32_t target[3], int32_t radius, uint32_t yaw, uint32_t pitch);
 

@@ -5,6 +5,7 @@
 #ifndef LIM_EYE_H
 #define LIM_EYE_H
 
+#include "long.h"
 #include "math/fixed.h"
 #include "stages.h"
 
@@ -12,8 +13,8 @@
 
 void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32_t at_q8[3]);
 
-/* The same in a long scene; false: the camera is out of range. Then the side of any plane, as lim_eye_side() has it, and a
- * box that holds a box as it is seen from the eye, in units that make it fit. */
+/* The same in a long scene; false: the camera is out of range. Then the side of any plane, as lim_eye_side() has it,
+ * and a box that holds a box as it is seen from the eye, in units that make it fit. */
 bool lim_eye_set_long(struct lim_eye *eye, const struct lim_scene *scene, const struct lim_camera *camera);
 int32_t lim_eye_long_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref);
 void lim_eye_long_box(const struct lim_eye *eye, const LIM_FLASH struct lim_long_box *box, struct lim_box *out);

@@ -3,10 +3,10 @@
  * On which side of a long scene's plane is the eye? n . (e - v) against the plane's rest.
  *
  * The filter has the way d from the eye to v in 16 bits, |d| <= 2^15, and the upper 16 bits m of n, |m| <= 2^14. Let
- * n = 2^16 (m + f), 0 <= f < 1 in each component. The way is 2^s (d + g) units: -1 < g < 1 for what is shifted out and for
- * the eye's fraction. Then n . way / 2^(16 + s) is m . d, off by f . d + m . g + f . g: below 3 * 2^15 + 3 * 2^14 + 3. The
- * rest, shifted likewise, is off by less than 1. LONG_SLACK is more than all of that; what is beyond it is decided. The other
- * sums are exact. */
+ * n = 2^16 (m + f), 0 <= f < 1 in each component. The way is 2^s (d + g) units: -1 < g < 1 for what is shifted out and
+ * for the eye's fraction. Then n . way / 2^(16 + s) is m . d, off by f . d + m . g + f . g: below 3 * 2^15 + 3 * 2^14
+ * + 3. The rest, shifted likewise, is off by less than 1. LONG_SLACK is more than all of that; what is beyond it is
+ * decided. The other sums are exact. */
 #include "eye.h"
 
 #include "math/relative.h"
@@ -62,7 +62,7 @@ void lim_camera_carry(struct lim_camera *camera)
 
 /* n . (e - v) is below 3 * 2^30 * 1.5 * 2^30 < 2^63. Its fractions may carry. */
 static LIM_RARE int32_t exact_long_side(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
-                                   const LIM_FLASH struct lim_long_vertex *vertex)
+                                        const LIM_FLASH struct lim_long_vertex *vertex)
 {
     int64_t whole = -(int64_t)plane->rest, rest_q8 = 0;
 

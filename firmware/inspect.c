@@ -30,8 +30,7 @@ void lim_inspect_count_as(struct lim *lim, const struct lim_counted *counted, si
     if (LIM_HAS_SPANS) lim_nearest_count_as(lim->nearest, counted, counted_b);
 }
 
-int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_ref *ref,
-                        const struct lim_camera *camera)
+int8_t lim_inspect_side(const struct lim_scene *scene, const struct lim_plane_ref *ref, const struct lim_camera *camera)
 {
     struct lim_eye eye;
 

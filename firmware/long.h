@@ -41,13 +41,6 @@ struct lim_long {
     const LIM_FLASH struct lim_fraction *fractions; /* lim_scene.fractions, or NULL; in any profile */
 };
 
-/* Where an eye is: |at| < LIM_LONG_EYE_END, units, and what is left of one. */
-struct lim_long_eye {
-    const struct lim_long *all; /* the scene's arrays; NULL: it is none of 32 bits, and the rest is not set */
-    int32_t at[3];
-    uint8_t fraction_q8[3];
-};
-
 /* NULL: the scene is one of 16 bits. */
 static inline const struct lim_long *lim_scene_long(const struct lim_scene *scene)
 {

@@ -9,7 +9,6 @@
 
 #include "camera.h" /* first: where a type stands decides whether the proof of perspective_at() is found in time */
 #include "config.h"
-#include "long.h"
 #include "scene.h"
 #include "target.h"
 #include "texturing.h"
@@ -161,7 +160,7 @@ struct lim_rows {
     struct lim_row row[3];                              /* x, y and z of view space */
     int32_t near_qv;    /* distance of the near plane in view space, >= PERSPECTIVE_Z_MIN_QV */
     uint32_t far_units; /* no vertex is farther from the eye */
-    LIM_OPTIONAL(int32_t, turn_q32, LIM_TURNS_ROWS * 2); /* of z, added to x and y: what rounding turned a row by */
+    LIM_OPTIONAL(int32_t, turn_q32, LIM_TURNS_ROWS * 2);  /* of z, added to x and y: what rounding turned a row by */
     LIM_OPTIONAL(struct lim_long_eye, eye, LIM_HAS_LONG); /* of a long scene, whose rows put the eye at 0 */
 };
 
@@ -219,7 +218,7 @@ struct lim_eye {
     int32_t slack_rest;         /* what shifting takes from LIM_PLANE_SLACK */
     int32_t large_slack;        /* how far the filter of a LARGE plane can be off, in its own scale */
     const struct lim_scene *scene;
-    const LIM_FLASH struct lim_plane *planes; /* the scene's: a load less on the way to each */
+    const LIM_FLASH struct lim_plane *planes;             /* the scene's: a load less on the way to each */
     LIM_OPTIONAL(struct lim_long_eye, far, LIM_HAS_LONG); /* in a long scene, where at_q8 is 0 */
 };
 

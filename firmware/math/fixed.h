@@ -33,6 +33,17 @@ static inline int32_t fixed_cross_of_pairs(uint32_t a, uint32_t b)
 {
     return __builtin_arm_smusdx((int32_t)a, (int32_t)b);
 }
+
+/* floor(a b / 2^16) + sum, b of 16 bits. */
+static inline int32_t fixed_add_product(int32_t a, int32_t b, int32_t sum)
+{
+    return __builtin_arm_smlawb(a, b, sum);
+}
+#else
+static inline int32_t fixed_add_product(int32_t a, int32_t b, int32_t sum)
+{
+    return sum + b * (a >> 16) + (b * (a & 0xFFFF) >> 16);
+}
 #endif
 
 /* round(2^24 / (256 + i)), entry 0 clipped to 65535. */

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * The way from an eye to a point of a long scene, as three numbers of one exponent: as many bits wherever the point is. */
+ * The way from an eye to a point of a long scene, as three numbers of one exponent: as many bits wherever the point is.
+ */
 #ifndef LIM_RELATIVE_H
 #define LIM_RELATIVE_H
 
+#include "camera.h"
 #include "long.h"
 #include "math/fixed.h"
 

@@ -6,6 +6,7 @@
 #ifndef LIM_CLIP_H
 #define LIM_CLIP_H
 
+#include "long.h"
 #include "view/view.h"
 
 struct lim_clip_polygon {

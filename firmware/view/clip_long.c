@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Cuts of edges of a long scene whose ends have different exponents: one end may be a step away, the other at the horizon.
- * The cut is taken from the end with the lower exponent, whichever way the edge is followed, and is as exact as that end
- * where it lies near it. */
+ * Cuts of edges of a long scene whose ends have different exponents: one end may be a step away, the other at the
+ * horizon. The cut is taken from the end with the lower exponent, whichever way the edge is followed, and is as exact
+ * as that end where it lies near it. */
 #include "view/clip.h"
 
 #include "math/fixed.h"

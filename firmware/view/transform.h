@@ -64,6 +64,29 @@ static inline int32_t transform_long(const struct lim_row *row, const struct lim
 }
 #endif
 
+/* n . d / 2^17 of a way from the eye to a point of a long scene: |n . d| < 2^61 sqrt(3). */
+static inline int32_t transform_way(const struct lim_row *row, const int32_t way[3])
+{
+    int64_t sum = 0;
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        sum += ((int64_t)row->n_qv[i] * (INT32_C(1) << 15) + row->low_qv15[i]) * way[i];
+    return (int32_t)(sum >> 32);
+}
+
+#else
+
+/* The same, 2^-16: each product rounded down, below 2^30 sqrt(3) together. */
+static inline int32_t transform_way(const struct lim_row *row, const int32_t way[3])
+{
+    int32_t sum = 0;
+
+    LIM_UNROLLED(3)
+    for (uint_fast8_t i = 0; i < 3; i++)
+        sum = fixed_add_product(way[i], (int32_t)row->n_qv[i], sum);
+    return sum;
+}
+
 #endif
 
 static inline int32_t transform_row(const struct lim_row *row, const struct lim_vertex *at)

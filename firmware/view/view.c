@@ -4,6 +4,7 @@
 #include "view/view.h"
 
 #include "camera.h"
+#include "long.h"
 #include "view/packed.h"
 #include "view/perspective.h"
 #include "view/place.h"

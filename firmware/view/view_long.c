@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Vertices of a long scene: the way from the eye, whose numbers have one exponent, through the three rows. x / z does not
- * mind the exponent, and what is compared with anything but another coordinate is the near plane alone.
+ * Vertices of a long scene: the way from the eye, whose numbers have one exponent, through the three rows. x / z does
+ * not mind the exponent, and what is compared with anything but another coordinate is the near plane alone.
  *
- * A way d of 31 bits keeps an edge between two far corners where it is, even where it passes close to the eye. A row of 16
- * bits takes it as floor(n d / 2^16), component by component; n d = 2^16 n high + n low with 0 <= low < 2^16, so 32 bits do
- * for each. A row is 32767 long at most, so the sum is below 2^30 sqrt(3). Rows with limbs, 2^30 long at most, are
- * multiplied in 64 bits: |n . d| < 2^61 sqrt(3). */
+ * A way d of 31 bits keeps an edge between two far corners where it is, even where it passes close to the eye. A row of
+ * 16 bits takes it as floor(n d / 2^16), component by component; n d = 2^16 n high + n low with 0 <= low < 2^16, so 32
+ * bits do for each. A row is 32767 long at most, so the sum is below 2^30 sqrt(3). Rows with limbs, 2^30 long at most,
+ * are multiplied in 64 bits: |n . d| < 2^61 sqrt(3). */
 #include "view/view.h"
 
 #include "math/relative.h"
@@ -16,40 +16,7 @@
 
 #if LIM_HAS_LONG
 
-#if LIM_HAS_LIMBS
-
-enum { LIMB_BITS = 15, SUM_BITS = 32, DOT_EXPONENT = SUM_BITS - LIMB_BITS };
-
-static int32_t long_dot(const struct lim_row *row, const int32_t way[3])
-{
-    int64_t sum = 0;
-
-    for (uint_fast8_t i = 0; i < 3; i++)
-        sum += ((int64_t)row->n_qv[i] * (INT32_C(1) << LIMB_BITS) + row->low_qv15[i]) * way[i];
-    return (int32_t)(sum >> SUM_BITS);
-}
-
-#else
-
-enum { DOT_EXPONENT = 16 };
-
-static inline int32_t long_dot(const struct lim_row *row, const int32_t way[3])
-{
-    int32_t sum = 0;
-
-    LIM_UNROLLED(3)
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        const int32_t n = (int32_t)row->n_qv[i];
-#if LIM_DUAL_MULTIPLY
-        sum = __builtin_arm_smlawb(way[i], n, sum);
-#else
-        sum += n * (way[i] >> 16) + (n * (way[i] & 0xFFFF) >> 16);
-#endif
-    }
-    return sum;
-}
-
-#endif
+enum { DOT_EXPONENT = LIM_HAS_LIMBS ? 17 : 16 }; /* of what transform_way() makes of a row */
 
 static inline void long_transform(const struct lim_rows *rows, lim_index vertex, struct lim_view_point *out)
 {
@@ -60,7 +27,7 @@ static inline void long_transform(const struct lim_rows *rows, lim_index vertex,
     lim_relative_set(&way, rows->eye, &all->vertices[vertex], fraction);
     LIM_UNROLLED(3)
     for (uint_fast8_t i = 0; i < 3; i++)
-        out->qv[i] = long_dot(&rows->row[i], way.d);
+        out->qv[i] = transform_way(&rows->row[i], way.d);
     out->z_qv += rows->row[2].shift_qv;
     transform_settle(rows, out->qv);
     *out->exponent = (int8_t)(way.exponent + DOT_EXPONENT);

@@ -111,11 +111,10 @@ static bool read_reference(struct render *render, unsigned w_px, unsigned h_px, 
 {
     const char *path = render->options.scene_path;
     struct moving *moving = &render->moving;
-    const bool ok =
-        moving->count
-            ? source_take(path, &moving->model, err) && moving_reference(moving, &render->reference, w_px, h_px, err)
-            : reference_read(&render->reference, path, &render->options.compile.orientation,
-                             &render->scene.grid, w_px, h_px, err);
+    const bool ok = moving->count ? source_take(path, &moving->model, err) &&
+                                        moving_reference(moving, &render->reference, w_px, h_px, err)
+                                  : reference_read(&render->reference, path, &render->options.compile.orientation,
+                                                   &render->scene.grid, w_px, h_px, err);
     const bool shares = moving->count ? !moving->model.source_points : render->reference.shares_importer;
     if (ok && shares)
         notice("%s: the reference has no reader of its own for it, and has the importer's vertices", path);

@@ -40,12 +40,11 @@ bool flight_init(struct flight *flight, struct simulator *simulator, const struc
 {
     const double longest_side_units = grid->is_long ? 2.0 * LIM_LONG_END : 65534.0;
     double step_units = fmin(0.1 * grid->units_per_m, longest_side_units / 100.0);
-    *flight = (struct flight){
-        .simulator = simulator,
-        .camera = *camera,
-        .step_q8 = fmax(1.0, round(step_units * 256.0)),
-        .is_long = grid->is_long,
-        .moving = moving};
+    *flight = (struct flight){.simulator = simulator,
+                              .camera = *camera,
+                              .step_q8 = fmax(1.0, round(step_units * 256.0)),
+                              .is_long = grid->is_long,
+                              .moving = moving};
     set_body(flight);
     return set_walls(flight, scene, err);
 }

@@ -123,7 +123,7 @@ static const struct usage_entry ENTRIES[] = {
     {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS | ONE,
      "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; compile, render, view: that of --panel)\n"},
     {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km;\n"
-     "                      less with coordinates of 32 bits: 16 units)\n"},
+             "                      less with coordinates of 32 bits: 16 units)\n"},
     {MODELS | WALK,
      "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
     {MODELS | WALK,

@@ -37,8 +37,8 @@ struct compile_options {
     enum tree_kind tree;         /* TREE_AUTO by default */
     enum tree_trial trial;       /* of other trees, where it is TREE_AUTO */
     enum mesh_leaves mesh_leaves;
-    bool leaves_open;               /* AUTO chooses although method and tree are named: the compiler named them */
-    bool whole_leaf;                /* of what moves: a mesh leaf of all its polygons, or none */
+    bool leaves_open; /* AUTO chooses although method and tree are named: the compiler named them */
+    bool whole_leaf;  /* of what moves: a mesh leaf of all its polygons, or none */
     enum coordinates coordinates;
     const char *splitter;           /* heuristic of the tree builder: splitter.h's names */
     bool keep_faces;                /* do not merge: every face keeps its own number in --ids */

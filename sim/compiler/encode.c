@@ -209,8 +209,8 @@ static void long_plane_add(struct encoder *work, const struct plane *plane, cons
     const int64_t rest = plane->d - dot_long(plane, &out->long_vertices[vertex]);
     assert(rest >= INT32_MIN && rest <= INT32_MAX); /* 3/2 units at most, of 2^30 */
     out->long_planes = grow(out->long_planes, out->plane_count, &out->plane_capacity, sizeof *out->long_planes);
-    out->long_planes[out->plane_count++] =
-        (struct lim_long_plane){{(int32_t)plane->n[0], (int32_t)plane->n[1], (int32_t)plane->n[2]}, (int32_t)rest, vertex};
+    out->long_planes[out->plane_count++] = (struct lim_long_plane){
+        {(int32_t)plane->n[0], (int32_t)plane->n[1], (int32_t)plane->n[2]}, (int32_t)rest, vertex};
 }
 
 /* Of a long scene: a point of it, near what lies on it. */

@@ -11,8 +11,7 @@ enum { COORDINATE_BITS = 38 }; /* the numbers of points, and of what leads to th
 
 static void long_vertex_add(struct encoding *out, const int units[3])
 {
-    out->long_vertices =
-        grow(out->long_vertices, out->vertex_count, &out->vertex_capacity, sizeof *out->long_vertices);
+    out->long_vertices = grow(out->long_vertices, out->vertex_count, &out->vertex_capacity, sizeof *out->long_vertices);
     out->long_vertices[out->vertex_count++] = (struct lim_long_vertex){{units[0], units[1], units[2]}};
 }
 

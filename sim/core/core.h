@@ -51,8 +51,7 @@ struct core {
     /* For measurements: where the camera of the last frame puts a vertex, in pixels, the centre of the first
      * one at 0 (false: it is left to clipping); which side of a plane an eye is on, as WALK decides it. */
     bool (*project)(void *lim, lim_index vertex, double at_px[2]);
-    int8_t (*eye_side)(const struct lim_scene *scene, const struct lim_plane_ref *ref,
-                       const struct lim_camera *camera);
+    int8_t (*eye_side)(const struct lim_scene *scene, const struct lim_plane_ref *ref, const struct lim_camera *camera);
     void (*count_as)(void *lim, const struct lim_counted *counted, size_t counted_b); /* lim_inspect_count_as() */
     /* Each pixel that a record may cover, and the texel there as the last frame would paint it. */
     void (*texels)(void *lim, lim_index record, core_texel *take, void *ctx);

@@ -28,8 +28,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The point of the grid that is nearest to a place, units, as a key; halves go up. Points of a long scene may share one:
- * who looks up compares distances. */
+/* The point of the grid that is nearest to a place, units, as a key; halves go up. Points of a long scene may share
+ * one: who looks up compares distances. */
 static uint64_t grid_key(const double units[3])
 {
     uint64_t key = 0;

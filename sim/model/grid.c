@@ -8,12 +8,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double GRID_SPAN_UNITS = 65534; /* -32767 .. 32767 */
+static const double GRID_SPAN_UNITS = 65534;      /* -32767 .. 32767 */
 static const double LONG_SPAN_UNITS = 1073741820; /* 2^30, less what rounding adds */
 static const double UNITS_A_FACE = 4096;          /* of the smallest one, on a long grid */
 static const double FINER_THAN_SHORT = 4;
-static const double SQUEEZE = 1000;          /* leaves the rest of the model 65 units or less */
-static const double FLAT_UNITS = 0.5;        /* what rounding to the grid does anyway */
+static const double SQUEEZE = 1000;   /* leaves the rest of the model 65 units or less */
+static const double FLAT_UNITS = 0.5; /* what rounding to the grid does anyway */
 
 struct bounds {
     double low[3], high[3];

@@ -80,14 +80,15 @@ static void write_number(FILE *file, const char *macro, const char *suffix, doub
 static void write_long_metres(FILE *file, const char *macro)
 {
     fprintf(file,
-            "/* Of metres that are constants: units with 8 fraction bits of a length of up to 2^23 units; units of any, of a\n"
+            "/* Of metres that are constants: units with 8 fraction bits of a length of up to 2^23 units; units of "
+            "any, of a\n"
             " * place, and of a point, which initialises int32_t[3]: lim_camera.origin, from which eye_q8 counts. */\n"
             "#define %s_M_Q8(metres) LIM_UNITS_Q8((metres)*%s_UNITS_PER_M)\n",
             macro, macro);
     fprintf(file, "#define %s_UNITS(metres) LIM_UNITS((metres)*%s_UNITS_PER_M)\n", macro, macro);
     for (int i = 0; i < 3; i++)
-        fprintf(file, "#define %s_%c(metres) LIM_UNITS(((metres) - (%s_ORIGIN_%c_M)) * %s_UNITS_PER_M)\n", macro, "XYZ"[i],
-                macro, "XYZ"[i], macro);
+        fprintf(file, "#define %s_%c(metres) LIM_UNITS(((metres) - (%s_ORIGIN_%c_M)) * %s_UNITS_PER_M)\n", macro,
+                "XYZ"[i], macro, "XYZ"[i], macro);
     fprintf(file, "#define %s_POINT(x_m, y_m, z_m) {%s_X(x_m), %s_Y(y_m), %s_Z(z_m)}\n", macro, macro, macro, macro);
 }
 
@@ -138,8 +139,8 @@ static void write_worst(FILE *file, const struct compile_report *report, bool is
     fprintf(file, "#define %s_WORST_EYE_Q8 {%ld, %ld, %ld}\n", macro, (long)worst->eye_q8[0], (long)worst->eye_q8[1],
             (long)worst->eye_q8[2]);
     if (is_long)
-        fprintf(file, "#define %s_WORST_ORIGIN {%ld, %ld, %ld}\n", macro, (long)worst->origin[0], (long)worst->origin[1],
-                (long)worst->origin[2]);
+        fprintf(file, "#define %s_WORST_ORIGIN {%ld, %ld, %ld}\n", macro, (long)worst->origin[0],
+                (long)worst->origin[1], (long)worst->origin[2]);
     fprintf(file, "#define %s_WORST_YAW UINT32_C(%lu)\n#define %s_WORST_PITCH UINT32_C(%lu)\n", macro,
             (unsigned long)worst->yaw, macro, (unsigned long)worst->pitch);
     if (worst->time_s > 0.0) fprintf(file, "#define %s_WORST_TIME_MS %.0f\n", macro, 1000.0 * worst->time_s);

@@ -150,7 +150,7 @@ struct original;
 struct compiled {
     struct lim_scene scene;      /* its pointers lead into `image` */
     struct lim_long *of_32_bits; /* those of a long scene, owned; else NULL */
-    struct moving *moving;  /* what moves in it, owned; NULL: nothing, or it is kept elsewhere */
+    struct moving *moving;       /* what moves in it, owned; NULL: nothing, or it is kept elsewhere */
     struct grid grid;
     uint32_t *faces;           /* polygon_count entries: face number (1-based) of each record, in order */
     struct original *original; /* the model's faces, shared; NULL: not known, as of a .lim file */

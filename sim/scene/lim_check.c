@@ -406,8 +406,8 @@ static bool check_places(const struct lim_scene *scene, struct error *err)
 bool lim_check(const struct lim_scene *scene, struct error *err)
 {
     struct checker work = {.scene = scene, .err = err};
-    if (!lim_check_long(scene, err) || !check_vertices(scene, err) || !check_planes(scene, err) || !check_boxes(scene, err) ||
-        !lim_check_textures(scene, err))
+    if (!lim_check_long(scene, err) || !check_vertices(scene, err) || !check_planes(scene, err) ||
+        !check_boxes(scene, err) || !lim_check_textures(scene, err))
         return false;
     if (!scene->node_count) return lim_check_mesh(scene, err);
     if (*scene->deep_from || *scene->near_deep_from)

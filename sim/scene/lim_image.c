@@ -101,7 +101,8 @@ uint64_t lim_image_section_b(const struct lim_file_header *header, enum lim_sect
 
 uint64_t lim_image_section_end_b(const struct lim_file_header *header, enum lim_section section)
 {
-    return lim_image_section_b(header, section) + (uint64_t)header->counts[section] * element_of(header, section)->size_b;
+    return lim_image_section_b(header, section) +
+           (uint64_t)header->counts[section] * element_of(header, section)->size_b;
 }
 
 static void *section_at(void *image, enum lim_section section)
@@ -292,7 +293,8 @@ void lim_image_set_textures(struct compiled *scene, const struct texture_arrays 
         const enum lim_section section = (enum lim_section)i;
         if (header.counts[i])
             memcpy(image + lim_image_section_b(&header, section),
-                   others[i] ? others[i] : section_at(scene->image, section), header.counts[i] * element_of(&header, section)->size_b);
+                   others[i] ? others[i] : section_at(scene->image, section),
+                   header.counts[i] * element_of(&header, section)->size_b);
     }
     free(scene->image);
     lim_image_bind(image, scene);

@@ -24,7 +24,8 @@ static_assert(sizeof(struct lim_plane) == NARROW_PLANE_B + sizeof(lim_index), "p
 bool width_is_wide(const struct lim_scene *scene)
 {
     return scene->vertex_count > NARROW_COUNT_MAX || scene->node_count > NARROW_COUNT_MAX ||
-           scene->plane_count > (lim_scene_long(scene) ? NARROW_LONG_PLANES_MAX : NARROW_PLANES_MAX) || scene->polygon_words > NARROW_COUNT_MAX;
+           scene->plane_count > (lim_scene_long(scene) ? NARROW_LONG_PLANES_MAX : NARROW_PLANES_MAX) ||
+           scene->polygon_words > NARROW_COUNT_MAX;
 }
 
 size_t width_node_b(bool wide)
