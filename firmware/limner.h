@@ -24,6 +24,7 @@
 #include "agree.h"
 #include "camera.h"
 #include "config.h"
+#include "long.h"
 #include "meshes.h"
 #include "orders.h"
 #include "scene.h"

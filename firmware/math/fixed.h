@@ -42,7 +42,8 @@ static inline int32_t fixed_add_product(int32_t a, int32_t b, int32_t sum)
 #else
 static inline int32_t fixed_add_product(int32_t a, int32_t b, int32_t sum)
 {
-    return sum + b * (a >> 16) + (b * (a & 0xFFFF) >> 16);
+    sum += b * (a >> 16);
+    return sum + (b * (int32_t)(uint16_t)a >> 16);
 }
 #endif
 

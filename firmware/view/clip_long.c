@@ -39,13 +39,14 @@ static inline int64_t shifted(int64_t x, int32_t down)
 /* Such a point is before the near plane, and its last bits are nothing beside that. */
 void lim_clip_coarsen(struct lim_view_point *point, int32_t near_qv)
 {
-    uint_fast8_t down = 0;
+    int_fast16_t exponent = *point->exponent;
 
-    while (*point->exponent + down < -30 || near_qv > INT32_C(1) << (30 + *point->exponent + down))
-        down++;
+    while (exponent < 0 && (exponent < -30 || near_qv > INT32_C(1) << (30 + exponent)))
+        exponent++;
+    const int_fast16_t down = exponent - *point->exponent;
     for (uint_fast8_t i = 0; i < 3; i++)
         point->qv[i] >>= down < 31 ? down : 31;
-    *point->exponent = (int8_t)(*point->exponent + down);
+    *point->exponent = (int8_t)exponent;
 }
 
 void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *a, int32_t a_d,
@@ -61,7 +62,8 @@ void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *
 
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int64_t to_high = (int64_t)high->qv[i] * share.m_q31, of_low = (int64_t)low->qv[i] * share.m_q31;
-        at[i] = low->qv[i] + shifted(to_high, 31 + share.down - up) - shifted(of_low, 31 + share.down);
+        at[i] = low->qv[i] + shifted(to_high, (int32_t)(31 + share.down - up)) -
+                shifted(of_low, (int32_t)(31 + share.down));
         size |= (uint64_t)(at[i] ^ at[i] >> 63);
     }
     for (; size >> 30; size >>= 1)
