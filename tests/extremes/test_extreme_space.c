@@ -72,10 +72,10 @@ static void build_100_km(struct model *model)
 
 /* 16 bits make units of 1.5 m of 100 km: the object would be nothing, and a scene without it is not what the
  * model shows. */
-static void a_centimetre_on_a_hundred_kilometres_is_refused(void **state)
+static void a_centimetre_on_a_hundred_kilometres_wants_more_than_16_bits(void **state)
 {
     struct model model = {0};
-    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto"};
+    struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto", .coordinates = COORDINATES_16};
     struct compiled scene = {0};
     struct error err = {"accepted"};
 
@@ -86,9 +86,14 @@ static void a_centimetre_on_a_hundred_kilometres_is_refused(void **state)
     extreme_row("scale-100-km-1-cm", "all", "refused, a face named", "%s: %s", accepted ? "accepted" : "refused",
                 err.text);
     compiled_free(&scene);
-    model_free(&model);
     assert_false(accepted);
     assert_non_null(strstr(err.text, "face "));
+    options.coordinates = COORDINATES_AUTO;
+    if (!compile_part(&model, NULL, &options, &scene, &err)) fail_msg("%s", err.text);
+    assert_true(scene.grid.is_long);
+    assert_int_equal(scene.report.left_out, 0);
+    compiled_free(&scene);
+    model_free(&model);
 }
 
 /* Slivers ------------------------------------------------------------------------------------- */
@@ -278,7 +283,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(vertices_at_the_ends_of_the_grid),
-        cmocka_unit_test(a_centimetre_on_a_hundred_kilometres_is_refused),
+        cmocka_unit_test(a_centimetre_on_a_hundred_kilometres_wants_more_than_16_bits),
         cmocka_unit_test(slivers_of_one_unit),
         cmocka_unit_test(coplanar_faces),
         cmocka_unit_test(nearly_coplanar_faces),
