@@ -39,38 +39,41 @@ static struct lim_view_point point_of_size(struct random *random, int least_bits
     return point;
 }
 
+/* What is seen, and how: a long lens sees |x| <= z / 2^zoom_bits. */
+struct seeing {
+    int32_t near_qv;
+    int zoom_bits;
+};
+
+static struct seeing any_seeing(struct random *random, int most_zoom_bits)
+{
+    const int64_t near_qv = (INT64_C(1) << random_in(random, 15, 29)) - random_in(random, 0, 1) * 7;
+
+    return (struct seeing){(int32_t)near_qv, (int)random_in(random, 0, most_zoom_bits)};
+}
+
 /* One inside of all planes, with some room. */
-static struct lim_view_point point_inside(struct random *random, int32_t near_qv, int most_bits)
+static struct lim_view_point point_inside(struct random *random, const struct seeing *seeing)
 {
     for (;;) {
-        struct lim_view_point point = point_of_size(random, 16, most_bits);
+        struct lim_view_point point = point_of_size(random, 16, 45);
         const long double z = fabsl(coordinate(&point, 2));
         point.z_qv = point.z_qv < 0 ? -point.z_qv : point.z_qv;
-        if (z > 1.5L * near_qv && fabsl(coordinate(&point, 0)) < z * 1.5L && fabsl(coordinate(&point, 1)) < z * 1.5L)
+        for (int i = 0; i < 2; i++)
+            point.qv[i] >>= seeing->zoom_bits;
+        if (z > 1.5L * seeing->near_qv && fabsl(coordinate(&point, 0)) < ldexpl(z * 1.5L, -seeing->zoom_bits) &&
+            fabsl(coordinate(&point, 1)) < ldexpl(z * 1.5L, -seeing->zoom_bits))
             return point;
     }
 }
 
-static int32_t any_near_qv(struct random *random)
-{
-    return (int32_t)((INT64_C(1) << random_in(random, 15, 29)) - random_in(random, 0, 1) * 7);
-}
-
 /* How far inside of a plane a point is, in the plane's own measure: z - near, or 2z and x. */
-static long double inside_of(const long double at[3], int plane, int32_t near_qv)
+static long double inside_of(const long double at[3], int plane, const struct seeing *seeing)
 {
-    switch (plane) {
-    case 0:
-        return at[2] - near_qv;
-    case 1:
-        return 2 * at[2] + at[0];
-    case 2:
-        return 2 * at[2] - at[0];
-    case 3:
-        return 2 * at[2] + at[1];
-    default:
-        return 2 * at[2] - at[1];
-    }
+    const long double band = ldexpl(2 * at[2], -seeing->zoom_bits);
+
+    if (plane == 0) return at[2] - seeing->near_qv;
+    return plane % 2 ? band + at[(plane - 1) / 2] : band - at[(plane - 1) / 2];
 }
 
 static void place(const struct lim_view_point *point, long double out[3])
@@ -169,18 +172,19 @@ static void cuts_lie_on_their_edge_whichever_way_it_is_followed(void **state)
 
 /* Polygons ---------------------------------------------------------------------------------------- */
 
-static void assert_inside(const struct lim_clip_polygon *polygon, int32_t near_qv)
+static void assert_inside(const struct lim_clip_polygon *polygon, const struct seeing *seeing)
 {
     for (int k = 0; k < polygon->n; k++) {
         const struct lim_view_point *point = &polygon->at[k];
         const long double z = coordinate(point, 2), unit = unit_of(point);
-        assert_true(point->z_qv > 0 && z >= near_qv - unit);
-        assert_true(fabsl(coordinate(point, 0)) <= 2 * z && fabsl(coordinate(point, 1)) <= 2 * z);
+        assert_true(point->z_qv > 0 && z >= seeing->near_qv - unit);
+        for (int i = 0; i < 2; i++)
+            assert_true(fabsl(coordinate(point, i)) <= ldexpl(2 * z, -seeing->zoom_bits));
     }
 }
 
 /* The part of an edge that is inside, as shares of it. false: none is, or by a hair. */
-static bool part_inside(const struct lim_view_point *a, const struct lim_view_point *b, int32_t near_qv,
+static bool part_inside(const struct lim_view_point *a, const struct lim_view_point *b, const struct seeing *seeing,
                         long double ends[2], int planes[2])
 {
     long double from[3], to[3];
@@ -189,7 +193,7 @@ static bool part_inside(const struct lim_view_point *a, const struct lim_view_po
     place(b, to);
     ends[0] = 0, ends[1] = 1, planes[0] = planes[1] = -1;
     for (int plane = 0; plane < PLANES; plane++) {
-        const long double d = inside_of(from, plane, near_qv), e = inside_of(to, plane, near_qv);
+        const long double d = inside_of(from, plane, seeing), e = inside_of(to, plane, seeing);
         if (d < 0 && e < 0) return false;
         if (d < 0 && d / (d - e) > ends[0]) ends[0] = d / (d - e), planes[0] = plane;
         if (e < 0 && d / (d - e) < ends[1]) ends[1] = d / (d - e), planes[1] = plane;
@@ -199,12 +203,12 @@ static bool part_inside(const struct lim_view_point *a, const struct lim_view_po
 
 /* What is left has a point where the edge meets the plane, or nearly; that point is given out. */
 static bool has_cut(const struct lim_clip_polygon *polygon, const struct lim_view_point *a,
-                    const struct lim_view_point *b, const long double at[3], int plane, int32_t near_qv,
+                    const struct lim_view_point *b, const long double at[3], int plane, const struct seeing *seeing,
                     struct lim_view_point *out)
 {
     /* The near plane is met at half its distance, rounded, and z is put right: 1/8000 pixel. */
-    const long double settled = 1 + (plane ? 0 : ldexpl(near_qv, -20));
-    const long double tolerance = 16 * tolerance_of(at, a, b) + settled;
+    const long double settled = 1 + (plane ? 0 : ldexpl(seeing->near_qv, -20));
+    const long double tolerance = 64 * tolerance_of(at, a, b) + settled;
     long double least = INFINITY;
 
     for (int k = 0; k < polygon->n; k++) {
@@ -213,7 +217,7 @@ static bool has_cut(const struct lim_clip_polygon *polygon, const struct lim_vie
         for (int i = 0; i < 3; i++)
             way[i] = there[i] - at[i];
         if (off_line(&polygon->at[k], a, b) > tolerance) continue;
-        if (fabsl(inside_of(there, plane, near_qv)) > 16 * tolerance) continue;
+        if (fabsl(inside_of(there, plane, seeing)) > 16 * tolerance) continue;
         if (length_of(way) >= least) continue;
         least = length_of(way);
         *out = polygon->at[k];
@@ -224,10 +228,12 @@ static bool has_cut(const struct lim_clip_polygon *polygon, const struct lim_vie
 /* The one with some corners, in that order. */
 static struct lim_clip_polygon *clip_triangle(struct lim_clip_polygon polygons[2], const struct lim_view_point *a,
                                               const struct lim_view_point *b, const struct lim_view_point *c,
-                                              int32_t near_qv)
+                                              const struct seeing *seeing)
 {
     polygons[0] = (struct lim_clip_polygon){.n = 3, .at = {*a, *b, *c}};
-    return lim_clip(polygons, near_qv);
+    for (int i = 0; LIM_HAS_TELE && i < 2; i++)
+        polygons[0].zoom_bits[i] = (uint8_t)seeing->zoom_bits;
+    return lim_clip(polygons, seeing->near_qv);
 }
 
 static bool holds(const struct lim_clip_polygon *polygon, const struct lim_view_point *point)
@@ -242,20 +248,19 @@ struct counts {
 };
 
 /* Two triangles on either side of an edge, which they follow in opposite ways; their other corners are inside. */
-static void check_pair(struct random *random, const struct lim_view_point *a, const struct lim_view_point *b,
-                       struct counts *counts)
+static void check_pair(struct random *random, const struct seeing *seeing, const struct lim_view_point *a,
+                       const struct lim_view_point *b, struct counts *counts)
 {
-    const int32_t near_qv = any_near_qv(random);
-    const struct lim_view_point c = point_inside(random, near_qv, 45), d = point_inside(random, near_qv, 45);
+    const struct lim_view_point c = point_inside(random, seeing), d = point_inside(random, seeing);
     struct lim_clip_polygon one[2], other[2];
-    const struct lim_clip_polygon *left = clip_triangle(one, a, b, &c, near_qv);
-    const struct lim_clip_polygon *right = clip_triangle(other, b, a, &d, near_qv);
+    const struct lim_clip_polygon *left = clip_triangle(one, a, b, &c, seeing);
+    const struct lim_clip_polygon *right = clip_triangle(other, b, a, &d, seeing);
     long double ends[2];
     int planes[2];
 
-    assert_inside(left, near_qv);
-    assert_inside(right, near_qv);
-    if (!part_inside(a, b, near_qv, ends, planes)) return;
+    assert_inside(left, seeing);
+    assert_inside(right, seeing);
+    if (!part_inside(a, b, seeing, ends, planes)) return;
     for (int end = 0; end < 2; end++) {
         struct lim_view_point cut;
         long double at[3];
@@ -264,7 +269,7 @@ static void check_pair(struct random *random, const struct lim_view_point *a, co
             at[i] = coordinate(a, i) + (coordinate(b, i) - coordinate(a, i)) * ends[end];
         counts->cuts++;
         counts->near_cuts += planes[end] == 0;
-        if (!has_cut(left, a, b, at, planes[end], near_qv, &cut))
+        if (!has_cut(left, a, b, at, planes[end], seeing, &cut))
             counts->missed++;
         else
             counts->unshared += !holds(right, &cut);
@@ -288,7 +293,8 @@ static void neighbours_of_all_sizes_share_their_cuts(void **state)
     (void)state;
     for (int k = 0; k < effort(PAIRS); k++) {
         const struct lim_view_point a = point_of_size(&random, 14, 45), b = point_of_size(&random, 14, 45);
-        check_pair(&random, &a, &b, &counts);
+        const struct seeing seeing = any_seeing(&random, 0);
+        check_pair(&random, &seeing, &a, &b, &counts);
     }
     report_pairs("any corners", &counts);
 }
@@ -302,9 +308,30 @@ static void neighbours_from_here_to_the_horizon_share_their_cuts(void **state)
     (void)state;
     for (int k = 0; k < effort(PAIRS); k++) {
         const struct lim_view_point here = point_of_size(&random, 15, 19), far = point_of_size(&random, 43, 45);
-        check_pair(&random, k % 2 ? &here : &far, k % 2 ? &far : &here, &counts);
+        const struct seeing seeing = any_seeing(&random, 0);
+        check_pair(&random, &seeing, k % 2 ? &here : &far, k % 2 ? &far : &here, &counts);
     }
     report_pairs("to the horizon", &counts);
+}
+
+static void neighbours_share_their_cuts_by_long_lenses(void **state)
+{
+    enum { MOST_ZOOM_BITS = 10 };
+    struct random random = {164};
+    struct counts counts = {0};
+
+    (void)state;
+    if (!LIM_HAS_TELE) skip();
+    for (int k = 0; k < effort(PAIRS); k++) {
+        const struct seeing seeing = any_seeing(&random, MOST_ZOOM_BITS);
+        struct lim_view_point a = point_of_size(&random, 14, 45), b = point_of_size(&random, 14, 45);
+        for (int i = 0; i < 2; i++) {
+            a.qv[i] >>= seeing.zoom_bits;
+            b.qv[i] >>= random_in(&random, 0, seeing.zoom_bits);
+        }
+        check_pair(&random, &seeing, &a, &b, &counts);
+    }
+    report_pairs("long lenses", &counts);
 }
 
 int main(void)
@@ -313,6 +340,7 @@ int main(void)
         cmocka_unit_test(cuts_lie_on_their_edge_whichever_way_it_is_followed),
         cmocka_unit_test(neighbours_of_all_sizes_share_their_cuts),
         cmocka_unit_test(neighbours_from_here_to_the_horizon_share_their_cuts),
+        cmocka_unit_test(neighbours_share_their_cuts_by_long_lenses),
     };
 
     return cmocka_run_group_tests_name("clipping in long scenes", tests, NULL, NULL);

@@ -217,31 +217,31 @@ static struct off measure_profile(const struct core *core, bool has_fractions, d
     return off;
 }
 
-/* Half a sub-pixel of rounding, and what arithmetic adds: 1/64 pixel in all in profile fast. Rows of 16 bits are less
- * exact of a narrow lens. */
+/* Half a sub-pixel of rounding, and what arithmetic adds: 1/64 pixel in all in profile fast, by a lens of 90 degrees;
+ * and a unit at 2^22 of them, from where on fractions do not count. */
 static double most_off_px(const struct core *core, double narrowest)
 {
-    const double rounding_px = ldexp(0.5, -core->sub_bits);
+    const double rounding_px = ldexp(0.5, -core->sub_bits), unit_px = W_PX / narrowest / (1 << 22);
 
     switch (core->profile) {
     case LIM_PROFILE_FINE:
-        return rounding_px + 1.0 / 2048;
+        return rounding_px + unit_px + 1.0 / 2048;
     case LIM_PROFILE_EXACT:
-        return rounding_px + 1.0 / 4096;
+        return rounding_px + unit_px + 1.0 / 8192;
     default:
-        return rounding_px + 3.0 / 256 / sqrt(narrowest);
+        return rounding_px + unit_px + (narrowest < 1 ? 4.0 : 3.0) / 256;
     }
 }
 
 static void vertices_of_all_distances_are_where_they_should_be(void **state)
 {
-    static const double lenses[] = {1, 0.25};
+    static const double lenses[] = {1, 0.25, 1.0 / 64, 1.0 / 1024};
     const struct core *profiles[PROFILES_MAX];
     const size_t count = profiles_find(profiles);
 
     (void)state;
     for (size_t k = 0; k < count; k++)
-        for (int round = 0; round < 4; round++) {
+        for (int round = 0; round < 8; round++) {
             const double narrowest = lenses[round / 2];
             const struct off off = measure_profile(profiles[k], round % 2, narrowest);
             printf("# %s, tangents from %g, fractions: %d: %zu points, at most %.5f px off, %.5f more than rounding\n",
@@ -354,19 +354,32 @@ static void put_at_ends(struct random *random, struct world *world)
     }
 }
 
-/* How many of a point's units are one, by the row of y: no lens of these makes that one shorter than it can be. */
+/* How many of a point's units are one of the scene's: the longest of the rows of x and y has that length. */
 static long double scale_of(const struct lim_view *view)
 {
-    const lim_row_entry *n_qv = view->rows.row[1].n_qv;
+    long double most = 0;
 
-    return sqrtl((long double)n_qv[0] * n_qv[0] + (long double)n_qv[1] * n_qv[1] + (long double)n_qv[2] * n_qv[2]);
+    for (int row = 0; row < 2; row++) {
+        const lim_row_entry *n_qv = view->rows.row[row].n_qv;
+        most = fmaxl(most, sqrtl((long double)n_qv[0] * n_qv[0] + (long double)n_qv[1] * n_qv[1] +
+                                 (long double)n_qv[2] * n_qv[2]));
+    }
+    return most;
+}
+
+/* By how many bits less x and y are than z is, of what can be seen. */
+static int zoom_bits_of(const struct lim_view *view, int axis)
+{
+    return LIM_HAS_TELE && axis < 2 ? view->rows.zoom_bits[axis] : 0;
 }
 
 /* As a part of the vertex's distance; 0: it is where the eye is. */
 static long double view_point_off(const struct lim_view *view, const struct world *world, const struct truth *truth,
                                   lim_index vertex)
 {
-    const long double zoom = fminl(1, truth->tan_y), scale = scale_of(view);
+    const long double zoom_x = ldexpl(truth->tan_x, zoom_bits_of(view, 0));
+    const long double zoom = fminl(fminl(1, zoom_x), ldexpl(truth->tan_y, zoom_bits_of(view, 1)));
+    const long double scale = scale_of(view), least = fminl(1, truth->tan_y);
     struct lim_view_point point;
     long double seen[3], square = 0, off = 0;
 
@@ -375,7 +388,8 @@ static long double view_point_off(const struct lim_view *view, const struct worl
     for (int i = 0; i < 3; i++) {
         const long double way = world->vertices[vertex].at[i] - (long double)truth->eye_q8[i] / 256;
         square += way * way;
-        off = fmaxl(off, fabsl(ldexpl(point.qv[i], *point.exponent) / scale / zoom - seen[i]) * zoom);
+        const long double got = ldexpl(point.qv[i], *point.exponent + zoom_bits_of(view, i)) / scale / zoom;
+        off = fmaxl(off, fabsl(got - seen[i]) * least);
     }
     return square > 1000 * 1000 ? off / sqrtl(square) : 0;
 }
