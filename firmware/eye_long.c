@@ -91,7 +91,7 @@ static inline uint8_t filter_shift(uint32_t size)
     }
     uint8_t shift = size >> (LONG_FILTER_BITS + 5) ? 8 : 0;
     for (size >>= shift; size >> LONG_FILTER_BITS; size >>= 4)
-        shift += 4;
+        shift = (uint8_t)(shift + 4);
     return shift;
 }
 

@@ -29,7 +29,7 @@ static inline uint8_t relative_shift(uint32_t size)
     if (LIM_HAS_CLZ) return (uint8_t)((clz_u32(size | 1) - 1u) & ~3u);
     uint8_t up = 0;
     for (size |= 1; !(size >> 27); size <<= 4)
-        up += 4;
+        up = (uint8_t)(up + 4);
     return up;
 }
 

@@ -10,13 +10,13 @@
 #if LIM_HAS_LONG
 
 /* m / 2^31 / 2^down, which is at most 1. */
-struct share {
+struct cut_share {
     uint32_t m_q31;
     uint_fast8_t down;
 };
 
 /* part / (part + rest 2^up), part < 2^31, rest < 2^31, up < 32: the sum fits 64 bits. */
-static struct share share_of(uint32_t part, uint32_t rest, uint_fast8_t up)
+static struct cut_share cut_share_of(uint32_t part, uint32_t rest, uint_fast8_t up)
 {
     uint64_t sum = part + ((uint64_t)rest << up);
     uint_fast8_t down = 0;
@@ -27,11 +27,11 @@ static struct share share_of(uint32_t part, uint32_t rest, uint_fast8_t up)
         part >>= 1; /* the sum has 31 bits: the quotient is at most 1 */
         down--;
     }
-    return (struct share){ratio_q31(part < sum ? part : (uint32_t)sum, sum ? (uint32_t)sum : 1), down};
+    return (struct cut_share){ratio_q31(part < sum ? part : (uint32_t)sum, sum ? (uint32_t)sum : 1), down};
 }
 
 /* x / 2^down, also where that is beyond 63 bits. */
-static inline int64_t shifted(int64_t x, int32_t down)
+static inline int64_t cut_shifted(int64_t x, int32_t down)
 {
     return x >> (down < 63 ? down : 63);
 }
@@ -55,22 +55,22 @@ void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *
     const bool a_is_low = *a->exponent < *b->exponent;
     const struct lim_view_point *low = a_is_low ? a : b, *high = a_is_low ? b : a;
     const uint_fast8_t gap = (uint_fast8_t)(*high->exponent - *low->exponent), up = gap < 31 ? gap : 31;
-    const struct share share = share_of(abs_s32(a_is_low ? a_d : b_d), abs_s32(a_is_low ? b_d : a_d), up);
+    const struct cut_share share = cut_share_of(abs_s32(a_is_low ? a_d : b_d), abs_s32(a_is_low ? b_d : a_d), up);
     int64_t at[3];
     uint64_t size = 0;
     int_fast16_t down = 0;
 
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int64_t to_high = (int64_t)high->qv[i] * share.m_q31, of_low = (int64_t)low->qv[i] * share.m_q31;
-        at[i] = low->qv[i] + shifted(to_high, (int32_t)(31 + share.down - up)) -
-                shifted(of_low, (int32_t)(31 + share.down));
+        at[i] = low->qv[i] + cut_shifted(to_high, (int32_t)(31 + share.down - up)) -
+                cut_shifted(of_low, (int32_t)(31 + share.down));
         size |= (uint64_t)(at[i] ^ at[i] >> 63);
     }
     for (; size >> 30; size >>= 1)
         down++;
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = (int32_t)(at[i] >> down);
-    *out->exponent = (int8_t)(*low->exponent + down);
+    *out->exponent = (int8_t)(*low->exponent + (int_fast8_t)down);
 }
 
 #endif

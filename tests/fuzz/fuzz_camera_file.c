@@ -14,7 +14,7 @@ static const char *check_lens(const struct viewpoint *numbers)
     struct lens lens;
 
     if (!lens_init(&lens, fov_deg, near_m, 16, 9, &err)) return fuzz_check_refusal(err.text, "--");
-    const bool ok = lens.tan_x >= 1.0 / 64 && lens.tan_x <= 4 && lens.tan_y >= 1.0 / 64 && lens.tan_y <= 4;
+    const bool ok = lens.tan_x >= 1.0 / 2048 && lens.tan_x <= 4 && lens.tan_y >= 1.0 / 2048 && lens.tan_y <= 4;
     return ok && near_m > 0 ? NULL : "a lens out of range was taken";
 }
 

@@ -62,7 +62,7 @@ bool fuzz_camera_is_legal(const struct lim_camera *camera)
 {
     for (int i = 0; i < 3; i++)
         if (llabs((long long)camera->eye_q8[i]) >= 1 << 28) return false;
-    return camera->tan_x_q28 >= 1u << 22 && camera->tan_x_q28 <= 1u << 30 && camera->tan_y_q28 >= 1u << 22 &&
+    return camera->tan_x_q28 >= 1u << 17 && camera->tan_x_q28 <= 1u << 30 && camera->tan_y_q28 >= 1u << 17 &&
            camera->tan_y_q28 <= 1u << 30 && camera->near_q8 >= 1 && camera->near_q8 <= 1 << 24;
 }
 
@@ -119,7 +119,11 @@ static bool is_refused_rightly(const struct lim_scene *scene, enum lim_method me
 {
     const bool is_set = !scene->limits.depth && method != LIM_DEPTH && method != LIM_NEWELL;
 
-    return refused == LIM_ERR_SCENE && (scene->limits.vertices > LIM_MAX_VERTICES || is_set);
+    const bool walks_no_tree =
+        method == LIM_DEPTH || method == LIM_NEWELL || method == LIM_CONVEX || method >= LIM_MESH;
+
+    return refused == LIM_ERR_SCENE &&
+           (scene->limits.vertices > LIM_MAX_VERTICES || is_set || (lim_scene_long(scene) && walks_no_tree));
 }
 
 static const char *draw_one(const struct fuzz_frame *frame, const struct core *core, const struct lim_scene *scene,

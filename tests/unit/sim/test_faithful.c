@@ -13,7 +13,8 @@
 #include <string.h>
 
 static const double PI = 3.14159265358979323846;
-static const struct compile_options FAST = {.tolerance_units = 0.5, .tree = TREE_BSP, .splitter = "fewest"};
+static const struct compile_options FAST = {
+    .tolerance_units = 0.5, .tree = TREE_BSP, .splitter = "fewest", .coordinates = COORDINATES_16};
 
 static struct compile_options with(const struct core *core, bool drop_small)
 {
