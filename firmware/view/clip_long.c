@@ -58,7 +58,7 @@ void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *
     const struct cut_share share = cut_share_of(abs_s32(a_is_low ? a_d : b_d), abs_s32(a_is_low ? b_d : a_d), up);
     int64_t at[3];
     uint64_t size = 0;
-    uint_fast8_t down = 0;
+    int_fast16_t down = 0;
 
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int64_t to_high = (int64_t)high->qv[i] * share.m_q31, of_low = (int64_t)low->qv[i] * share.m_q31;

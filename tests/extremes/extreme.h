@@ -60,6 +60,9 @@ struct extreme_plan {
 /* Draws and judges it in every profile. */
 void extreme_run(const struct extreme_plan *plan);
 
+/* The same with coordinates of 32 bits; a metre may be any number of units. */
+void extreme_run_long(const struct extreme_plan *plan);
+
 /* What is extreme, as the beginning of a sentence that ends with what is promised: "The eye lies in a face's plane". */
 void extreme_about(const char *name, const char *about);
 
