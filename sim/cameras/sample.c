@@ -49,13 +49,20 @@ static void point_in_bounds(struct sampler *sampler, double out_m[3])
         out_m[i] = sampler->low_m[i] + sampler_unit(sampler) * (sampler->high_m[i] - sampler->low_m[i]);
 }
 
-/* Anywhere in the bounds, or in bounds four times as wide, if anything is to be seen from there. */
+/* Four times as wide as the bounds; an eye in a long scene may not be that far away. */
+static double wide_of(const struct grid *grid, double longest_m)
+{
+    return grid->is_long ? fmin(4.0, 1.9 * LIM_LONG_EYE_END / (longest_m * grid->units_per_m)) : 4.0;
+}
+
+/* Anywhere in the bounds, or in bounds as wide as that, if anything is to be seen from there. */
 static void random_point(struct sampler *sampler, double out_m[3])
 {
-    const double spread = sampler_unit(sampler) < 0.5 || sampler->scene->report.is_interior ? 1.0 : 4.0;
     double longest_m = 0;
     for (int i = 0; i < 3; i++)
         longest_m = fmax(longest_m, sampler->high_m[i] - sampler->low_m[i]);
+    const bool is_near = sampler_unit(sampler) < 0.5 || sampler->scene->report.is_interior;
+    const double spread = is_near ? 1.0 : wide_of(&sampler->scene->grid, longest_m);
     for (int i = 0; i < 3; i++) {
         const double side_m = spread > 1 ? longest_m * spread : sampler->high_m[i] - sampler->low_m[i];
         out_m[i] = (sampler->low_m[i] + sampler->high_m[i]) / 2 + (sampler_unit(sampler) - 0.5) * side_m;

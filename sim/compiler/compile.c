@@ -90,14 +90,12 @@ static bool clean_long(const struct model *model, struct mesh *mesh, struct erro
 bool compile_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
                    struct error *err)
 {
-    const bool may_be_long = compile_options_may_be_long(options, model);
-    if (options->coordinates == COORDINATES_32) {
-        if (may_be_long) return clean_long(model, mesh, err);
-        return error_set(err, "--coordinates 32: not with what moves, textures, or methods that do not walk a tree");
-    }
+    enum coordinates coordinates;
+    if (!compile_options_coordinates(options, model, &coordinates, err)) return false;
+    if (coordinates == COORDINATES_32) return clean_long(model, mesh, err);
     struct error refused = {0};
     const bool ok = mesh_clean(model, mesh, &refused);
-    if (options->coordinates == COORDINATES_16 || !may_be_long) {
+    if (coordinates == COORDINATES_16) {
         if (!ok) *err = refused;
         return ok;
     }

@@ -328,6 +328,8 @@ bool compilation_tree(struct compilation *work, enum tree_kind kind, struct comp
 {
     const struct compile_options *options = work->options;
     *out = (struct compiled){0};
+    if (work->mesh->grid.is_long && (kind == TREE_MESH || kind == TREE_NONE))
+        return error_set(err, "coordinates of 32 bits are drawn by methods that walk a tree alone");
     bool ok = kind == TREE_MESH ? compile_triangles(work, out, err)
                                 : compile_best(work, kind == TREE_AUTO ? TREE_BSP : kind, out, err);
     ok = ok && check_method(options, out, err);

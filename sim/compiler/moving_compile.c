@@ -245,6 +245,7 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     if (!own.method) own.method = &methods[0]; /* nearest first */
     if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
     own.predict = false; /* all parts together are */
+    if (!compile_options_coordinates(options, &moving->model, &own.coordinates, err)) return false; /* all of it */
     model_part(&moving->model, 0, true, &part, &numbers);
     bool ok =
         part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");

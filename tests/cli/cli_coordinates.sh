@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: MIT
+#
+# --coordinates: what 16 bits refuse, 32 hold; what 16 bits hold stays as it is; what cannot have 32 is refused in one line;
+# and all commands that take a scene take a long one.
+. tests/tap.sh
+. tests/cli/refused.sh
+. tests/long_scene.sh
+
+limner=$(cd "$BUILD" && pwd)/limner
+long_scene "$work/many"
+long_scene "$work/glassy" 0.5
+many=$work/many.obj cameras=$work/many.cam
+
+# Which coordinates ------------------------------------------------------------------------------------------------------
+
+tap_check "16 bits refuse a ground of 240 km with boxes of 0.6 m, and name faces and the unit" refused \
+    'many.obj: face [0-9]+ \(0.6 m\), .* of 181 faces would vanish or move too far on a grid with units of 3.66 m' \
+    compile "$many" --coordinates 16 -o "$work/out/many"
+tap_check "no other number of bits" refused '^limner: --coordinates 17: no such choice; there are auto, 16 and 32$' \
+    compile "$many" --coordinates 17 -o "$work/out/many"
+
+auto_takes_32() {
+    "$limner" compile "$many" -o "$work/many" >"$work/report" && grep 'coordinates  *32 bits' "$work/report" &&
+        grep -A 1 '^#ifndef LIM_HAS_LONG$' "$work/many.h" | grep '^#define LIM_HAS_LONG 1$' &&
+        grep 'struct lim_long_vertex' "$work/many.c"
+}
+tap_check "auto takes 32 bits for it" auto_takes_32
+
+auto_is_as_16() { # SCENE
+    "$limner" compile "sim/scenes/$1.obj" -o "$work/auto" >"$work/auto.report" &&
+        "$limner" compile "sim/scenes/$1.obj" --coordinates 16 -o "$work/short" >"$work/short.report" &&
+        grep -A 1 '^#ifndef LIM_HAS_LONG$' "$work/auto.h" | grep '^#define LIM_HAS_LONG 0$' &&
+        ! grep 'lim_long_\|of_32_bits' "$work/auto.c" && cmp "$work/auto.lim" "$work/short.lim"
+}
+for scene in rooms teapot glass; do
+    tap_check "$scene keeps 16 bits, and is what it would be without the option" auto_is_as_16 $scene
+done
+
+# The same model on both grids: the pictures are as the reference has them.
+rooms_with_32_bits() {
+    "$limner" render sim/scenes/rooms.obj --coordinates 32 --camera sim/scenes/rooms.cam --size 80x60 --compare >"$work/said" &&
+        tail -n 1 "$work/said" && awk '{ for (i = 2; i <= NF; i++) if ($(i - 1) == "wrong") { n++; if ($i > 0.05) bad = 1 } }
+            END { exit bad || !n }' "$work/said"
+}
+tap_check "rooms with 32 bits, asked for, are drawn as the reference has them" rooms_with_32_bits
+
+# Macros of the header ---------------------------------------------------------------------------------------------------
+
+# The camera of a line of many.cam, put there by macros: the pixels are those of the host's frame.
+prepare_program() {
+    cat >"$work/main.c" <<'END'
+#include "limner.h"
+#include "many.h"
+#include <stdio.h>
+static uint16_t line[64];
+static uint32_t hash = 2166136261u;
+static void *lend(void *ctx, uint16_t y_px) { (void)ctx, (void)y_px; return line; }
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    (void)ctx, (void)y_px;
+    for (uint16_t x = x_px; x < x_px + n_px; x++) hash = (hash ^ line[x]) * 16777619u;
+    return 0;
+}
+static uint32_t mem[MANY_SCENE_MEM_B(64) / 4 + 1];
+int main(void)
+{
+    static const int32_t eye[] = MANY_POINT(EYE_X, EYE_Y, EYE_Z);
+    const struct lim_target target = {.w_px = 64, .h_px = 64, .method = MANY_SCENE_METHOD, .lend = lend, .done = done};
+    struct lim_camera camera = {.tan_x_q28 = 1 << 28, .tan_y_q28 = 1 << 28, .near_q8 = MANY_M_Q8(0.01)};
+    static struct lim lim;
+    for (int i = 0; i < 3; i++)
+        camera.origin[i] = eye[i];
+    camera.yaw = LIM_DEGREES(YAW);
+    printf("%ld %ld %ld %ld %ld %ld %ld\n", (long)eye[0], (long)eye[1], (long)eye[2], (long)MANY_X(EYE_X), (long)MANY_Y(EYE_Y),
+           (long)MANY_Z(EYE_Z), (long)MANY_UNITS(1000));
+    if (lim_init(&lim, &many_scene, &target, mem, sizeof mem) || lim_frame(&lim, &camera)) return 1;
+    return hash == 2166136261u;
+}
+END
+    sources=$(ls firmware/*.c firmware/*/*.c)
+    # shellcheck disable=SC2086 # words are flags and files
+    ${CCACHE:-} "$CC" -std=c11 -O1 $WARNINGS -DLIM_CONFIG='"many.h"' -DEYE_X=1234.5 -DEYE_Y=-7.25 -DEYE_Z=-119999.75 -DYAW=30 \
+        -Ifirmware -I"$work" -c -o "$work/main.o" "$work/main.c" &&
+        "$CC" -std=c11 -O1 -DLIM_CONFIG='"many.h"' -Ifirmware -I"$work" -o "$work/main" "$work/main.o" "$work/many.c" $sources
+}
+tap_check "a program compiles with the header's macros, without a warning" prepare_program
+
+# What many.h says of itself, computed by awk: units are (metre - origin) * units per metre, to nearest.
+macros_put_it_there() {
+    "$work/main" >"$work/placed" || return 1
+    awk '$1 == "#define" && $2 == "MANY_UNITS_PER_M" { scale = $3 }
+        $1 == "#define" && $2 ~ /^MANY_ORIGIN_[XYZ]_M$/ { origin[substr($2, 13, 1)] = $3 }
+        function units(metres, axis) { return sprintf("%.0f", (metres - origin[axis]) * scale) }
+        END {
+            x = units(1234.5, "X"); y = units(-7.25, "Y"); z = units(-119999.75, "Z")
+            print x, y, z, x, y, z, sprintf("%.0f", 1000 * scale)
+        }' "$work/many.h" >"$work/wanted"
+    cat "$work/placed" && diff "$work/wanted" "$work/placed"
+}
+tap_check "and they put a place where the header says that it is" macros_put_it_there
+
+# Each camera of the file as C has the place that the file says: in whole units, and what is left of one with 8 fraction
+# bits.
+cameras_are_where_the_file_says() {
+    "$limner" render "$work/many.lim" --camera "$cameras" --size 32x32 --write-cameras "$work/cameras.h" >/dev/null || return 1
+    awk '$1 == "#define" && $2 == "MANY_UNITS_PER_M" { scale = $3 }
+        $1 == "#define" && $2 ~ /^MANY_ORIGIN_[XYZ]_M$/ { origin[++axes] = $3 }
+        FILENAME ~ /cam$/ { count++; for (i = 1; i <= 3; i++) metres[count, i] = $i }
+        /^    \{\{/ {
+            frame++
+            gsub(/[^-0-9]+/, " ")
+            if (split($0, number, " ") != 12) bad = 1
+            for (i = 1; i <= 3; i++) {
+                off = (metres[frame, i] - origin[i]) * scale - (number[9 + i] + number[i] / 256)
+                if (off < -0.004 || off > 0.004 || number[i] < 0 || number[i] > 255) { print frame, i, off; bad = 1 }
+            }
+        }
+        END { exit bad || frame != 12 || count != 12 }' "$work/many.h" "$cameras" "$work/cameras.h"
+}
+tap_check "--write-cameras puts each of the file where it says" cameras_are_where_the_file_says
+
+# What cannot have 32 bits -----------------------------------------------------------------------------------------------
+
+not_32() { # WHAT ARGUMENT...
+    tap_check "$1: refused with 32 bits" refused ': --coordinates 32: not with what moves, textures, or methods' compile "$@" \
+        --coordinates 32 -o "$work/out/scene"
+}
+textured=$BUILD/scenes/textured/textured.obj
+not_32 sim/scenes/movers.gltf
+[ ! -f "$textured" ] || not_32 "$textured"
+for options in '--method mesh' '--method mesh-depth' '--method newell' '--method depth' '--method portals' '--portals on' \
+    '--mesh-leaves all' '--tree mesh' '--tree none' --drop-small; do
+    # shellcheck disable=SC2086 # options are words
+    tap_check "$options: refused with 32 bits" refused ': --coordinates 32: not with what moves, textures, or methods' \
+        compile sim/scenes/rooms.obj $options --coordinates 32 -o "$work/out/scene"
+done
+tap_check "a solid by its own method: refused with 32 bits" refused ': --coordinates 32: not with what moves' \
+    compile sim/scenes/icosahedron.obj --method convex --coordinates 32 -o "$work/out/scene"
+
+# The scene of movers, its first mesh 50,000 times as large: what stands still alone would have 32 bits.
+movers_on_a_large_ground() {
+    sed 's/^\( *\)\(.*\){"mesh": 0}/\1\2{"mesh": 0, "scale": [50000, 1, 50000]}/' sim/scenes/movers.gltf >"$work/movers.gltf"
+    ! cmp -s sim/scenes/movers.gltf "$work/movers.gltf" &&
+        refused 'faces would vanish or move too far on a grid with units of' compile "$work/movers.gltf" -o "$work/out/movers"
+}
+tap_check "where something moves auto has 16 bits, and refuses what they do not hold" movers_on_a_large_ground
+
+# Methods ----------------------------------------------------------------------------------------------------------------
+
+hashes() { # FILE MODEL OPTION...
+    hashes_file=$1
+    shift
+    "$limner" render "$@" --camera "$cameras" --size 80x60 --write-hashes "$hashes_file" >"$work/said" 2>&1 ||
+        { cat "$work/said"; return 1; }
+}
+
+# Nearest first's picture, by the scene that --method makes, and by the one that is there.
+is_the_same_by() { # MODEL OPTION...
+    by_model=$1
+    shift
+    hashes "$work/nearest" "$by_model" --method bsp && hashes "$work/other" "$by_model" "$@" &&
+        diff "$work/nearest" "$work/other" && [ "$(cut -d ' ' -f 2 "$work/nearest" | sort -u | wc -l)" -eq 12 ]
+}
+# With the same option for both.
+is_the_same_with() { # MODEL METHOD OPTION...
+    with_model=$1 with_method=$2
+    shift 2
+    hashes "$work/nearest" "$with_model" --method bsp "$@" && hashes "$work/other" "$with_model" --method "$with_method" "$@" &&
+        diff "$work/nearest" "$work/other"
+}
+for precision in draft fast fine exact; do
+    tap_check "$precision: scan lines paint nearest first's picture" is_the_same_with "$many" scanline --precision $precision
+    tap_check "$precision: and so does the painter" is_the_same_with "$many" painter --precision $precision
+    tap_check "$precision: and the painter with glass" is_the_same_with "$work/glassy.obj" painter --precision $precision
+done
+tap_check "antialiased: scan lines paint nearest first's picture" is_the_same_with "$many" scanline --antialias
+tap_check "clusters show nearest first's picture" is_the_same_by "$many" --method clusters
+tap_check "axis cuts show nearest first's picture" is_the_same_by "$many" --method axis
+tap_check "a framebuffer shows nearest first's picture" is_the_same_by "$many" --method bsp --panel framebuffer
+tap_check "a framebuffer shows it painted from back to front" is_the_same_by "$many" --method painter --panel framebuffer
+tap_check "a framebuffer shows glass" is_the_same_by "$work/glassy.obj" --panel framebuffer
+tap_check "changes alone leave the same frames" is_the_same_by "$many" --method bsp --delta
+tap_check "little memory shows the same frames" is_the_same_by "$many" --method bsp --ram 60%
+tap_check "little memory shows the same glass" is_the_same_by "$work/glassy.obj" --method bsp --ram 60%
+
+wireframe() {
+    hashes "$work/solid" "$many" && hashes "$work/wires" "$many" --wireframe && ! diff "$work/solid" "$work/wires" >/dev/null &&
+        hashes "$work/wires_of_little" "$many" --wireframe --ram 60% && diff "$work/wires" "$work/wires_of_little"
+}
+tap_check "a wireframe is another picture, the same with little memory" wireframe
+
+# Files ------------------------------------------------------------------------------------------------------------------
+
+file_draws_the_same() { # MODEL
+    for precision in draft fast fine exact; do
+        "$limner" compile "$1" --precision $precision -o "$work/file" >/dev/null &&
+            hashes "$work/of_model" "$1" --precision $precision && hashes "$work/of_file" "$work/file.lim" --precision $precision &&
+            diff "$work/of_model" "$work/of_file" || return 1
+    done
+}
+tap_check "the .lim file draws what the model draws" file_draws_the_same "$many"
+tap_check "the .lim file draws what glass draws" file_draws_the_same "$work/glassy.obj"
+
+damaged() { # BYTE
+    cp "$work/many.lim" "$work/damaged.lim"
+    printf '\021' | dd of="$work/damaged.lim" bs=1 seek="$1" conv=notrunc 2>/dev/null
+    refused 'damaged.lim: ' render "$work/damaged.lim" --camera "$cameras" --size 32x32 -o "$work/out/%d.png"
+}
+tap_check "a .lim file whose header is damaged is refused" damaged 144
+tap_check "a .lim file whose vertices are damaged is refused" damaged 171
+
+# Commands ---------------------------------------------------------------------------------------------------------------
+
+tap_check "nobody walks there, and is told why" refused 'a scene with coordinates of 32 bits stops no walker' \
+    walk "$many" -o "$work/out/walk.cam"
+
+reports() {
+    "$limner" report "$many" -o "$work/report.html" && grep -q '</html>' "$work/report.html" && ! grep -i 'nan' "$work/report.html"
+}
+tap_check "limner report writes its page" reports
+
+searches_the_worst() {
+    "$limner" worst "$many" --size 64x64 >"$work/worst" && cat "$work/worst" && grep -q 'times the mean' "$work/worst"
+}
+tap_check "limner worst finds the dearest view" searches_the_worst
+
+compares() {
+    "$limner" render "$many" --camera "$cameras" --size 120x90 --compare >"$work/said" && tail -n 1 "$work/said" &&
+        sed -n 's/.*wrong \([0-9.]*\) %.*/\1/p' "$work/said" | tail -n 1 | awk '{ seen = 1; exit !($1 <= 0.1) } END { if (!seen) exit 1 }'
+}
+tap_check "--compare finds at most 0.1 % of the pixels wrong" compares
+
+has_an_orbit() {
+    "$limner" render "$many" --frames 4 --size 32x32 -o "$work/orbit%d.png" && ls "$work"/orbit3.png
+}
+tap_check "an orbit around all of it is drawn" has_an_orbit
+tap_done
