@@ -5,17 +5,14 @@
 
 #include <inttypes.h>
 
-/* Where eyes count from is told where it is not the scene's origin: a build for other scenes has no such member. */
-static void write_camera(FILE *file, const struct lim_camera *camera, bool is_long)
+static void write_camera(FILE *file, const struct lim_camera *camera)
 {
     fprintf(file, "    {{%" PRId32 ", %" PRId32 ", %" PRId32 "}, ", camera->eye_q8[0], camera->eye_q8[1],
             camera->eye_q8[2]);
     fprintf(file, "%" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u, %" PRId32, camera->yaw,
             camera->pitch, camera->roll, camera->tan_x_q28, camera->tan_y_q28, camera->near_q8);
-    if (is_long)
-        fprintf(file, ", {%" PRId32 ", %" PRId32 ", %" PRId32 "}", camera->origin[0], camera->origin[1],
-                camera->origin[2]);
-    fputs("},\n", file);
+    fprintf(file, " LIM_CAMERA_ORIGIN(%" PRId32 ", %" PRId32 ", %" PRId32 ")},\n", camera->origin[0], camera->origin[1],
+            camera->origin[2]);
 }
 
 bool cameras_c_write(const struct camera_path *path, const struct lens *lens, const struct grid *grid, unsigned w_px,
@@ -29,7 +26,7 @@ bool cameras_c_write(const struct camera_path *path, const struct lens *lens, co
     for (size_t frame = 0; frame < path->count; frame++) {
         struct lim_camera camera;
         if (!camera_path_to_camera(path, frame, lens, grid, &camera, err)) return false;
-        write_camera(file, &camera, grid->is_long);
+        write_camera(file, &camera);
     }
     fprintf(file, "};\n\n#endif\n");
     return true;
