@@ -3,7 +3,7 @@
 # --coordinates: what 16 bits refuse, 32 hold; what 16 bits hold stays as it is; what cannot have 32 is refused in one line;
 # and all commands that take a scene take a long one.
 . tests/tap.sh
-. tests/cli/refused.sh
+. tests/refused.sh
 . tests/long_scene.sh
 
 limner=$(cd "$BUILD" && pwd)/limner

@@ -73,7 +73,7 @@ tap_check "not of one that was asked for" silent "$ground" --drop-small --near 1
 tap_check "and not of rooms" silent sim/scenes/rooms.obj
 
 ignored='^limner: note: '
-. tests/cli/refused.sh
+. tests/refused.sh
 nearer='--near 1: nothing nearer than 11\.2 m can be drawn on a grid with units of 3\.66 m'
 tap_check "compile refuses a nearer one" refused "$nearer" compile "$ground" --drop-small --near 1 -o "$work/out/x"
 tap_check "render does" refused "$nearer" render "$ground" --drop-small --near 1 -o "$work/out/%d.png"

@@ -10,7 +10,7 @@ limner=$BUILD/limner
 for side in 100 1000 10000 50000; do "$BUILD/generate_scale" floor $side "$work"; done
 ground=$work/ground240000.obj
 
-. tests/cli/refused.sh
+. tests/refused.sh
 
 small='ground240000.obj: face [0-9]* \(0\.6 m\), [0-9]* \(0\.6 m\), [0-9]* \(0\.6 m\) \.\.\.: 12[05] of 126 faces would vanish or move too far on a grid with units of 3\.66 m; split the model into several scenes, enlarge what is small, leave it out by --drop-small$'
 for profile in draft fast fine exact; do
