@@ -36,15 +36,16 @@ static void world_make(struct world *world, bool has_fractions)
     world->node = (struct lim_node){.split = {LIM_PLANE_X, 0}, .front_run = 0, .back_run = LIM_NO_INDEX};
     world->node.front = world->node.back = world->node.box = LIM_NO_INDEX;
     world->all = (struct lim_long){.vertices = world->vertices, .fractions = has_fractions ? world->fractions : NULL};
-    world->scene = (struct lim_scene){.of_32_bits = {&world->all},
-                                      .nodes = &world->node,
-                                      .polygons = world->words,
-                                      .fractions = has_fractions ? world->fractions : NULL,
-                                      .vertex_count = POINTS,
-                                      .node_count = 1,
-                                      .polygon_words = 5,
-                                      .polygon_count = 1,
-                                      .limits = {1, 3, 20, 20, 20, 0}};
+    world->scene =
+        (struct lim_scene){.of_32_bits = {&world->all},
+                           .nodes = &world->node,
+                           .polygons = world->words,
+                           .fractions = has_fractions ? world->fractions : NULL,
+                           .vertex_count = POINTS,
+                           .node_count = 1,
+                           .polygon_words = 5,
+                           .polygon_count = 1,
+                           .limits = {.depth = 1, .vertices = 3, .retained_cells = 20, .gaps = 20, .active = 20}};
 }
 
 /* The camera's axes, and what of a point along each, in the terms of camera.h. */
