@@ -19,7 +19,7 @@ refused() { # REASON COMMAND...
 }
 
 furnish() { # NAME SEED THINGS HOW
-    awk -v seed="$2" -v things="$3" -v how="$4" -v dense=14 -v mtl="$work/$1.mtl" -f tests/cli/furnished.awk >"$work/$1.obj"
+    awk -v seed="$2" -v things="$3" -v how="$4" -v dense=14 -v mtl="$work/$1.mtl" -f tests/furnished.awk >"$work/$1.obj"
 }
 
 report() { # MODEL OPTION...

@@ -6,7 +6,7 @@
 . tests/frames_on.sh
 
 mkdir -p "$work/leaves"
-awk -v seed=5 -v things=6 -v how=apart -v mtl="$work/leaves/rooms.mtl" -f tests/cli/furnished.awk >"$work/leaves/rooms.obj"
+awk -v seed=5 -v things=6 -v how=apart -v mtl="$work/leaves/rooms.mtl" -f tests/furnished.awk >"$work/leaves/rooms.obj"
 awk 'BEGIN {
     srand(3)
     for (i = 0; i < 8; i++) print 1 + 6 * rand(), 1 + rand(), 1 + 6 * rand(), 8 * rand(), rand(), 8 * rand()
