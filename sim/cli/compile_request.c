@@ -314,7 +314,7 @@ static double seconds(struct timeval time)
     return (double)time.tv_sec + 1e-6 * (double)time.tv_usec;
 }
 
-/* What all work of this program took: an import is a child's. */
+/* What the program took, its children included: imports are theirs. */
 static void print_effort(void)
 {
     struct rusage own, children;

@@ -99,8 +99,8 @@ terminal_bar() { script -qec "'$BUILD/limner' compile '$work/rooms6.obj' --repor
 no_pipe_bar() {
     "$BUILD/limner" compile "$work/rooms6.obj" --report >"$work/said" 2>"$work/err" && [ ! -s "$work/err" ] &&
         ! grep -q '%  *compiling' "$work/said" && grep -q '^memory for compiling, at most  *[1-9][0-9]* MB$' "$work/said" &&
-            grep -q '^processor time for compiling  *[0-9.]* s$' "$work/said"
+        grep -q '^processor time for compiling  *[0-9.]* s$' "$work/said"
 }
 tap_on_terminal "a bar shows how far it is on a terminal" terminal_bar
-tap_check "and nothing in a pipe; memory is reported" no_pipe_bar
+tap_check "and nothing in a pipe; memory and time are reported" no_pipe_bar
 tap_done

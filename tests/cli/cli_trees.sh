@@ -53,7 +53,7 @@ chooses() { # SCENE TREE...
 }
 tap_check "auto: rooms, the BSP tree" chooses rooms bsp
 tap_check "auto: teapot, clusters spare more than a tenth" chooses teapot clusters
-# The last line is what the process took of memory: that is the machine's, not the choice's.
+# The last lines are what the process took of memory and time: that is the machine's, not the choice's.
 choice() { sed '/^[a-z ]* for compiling/d' "$work/report"; }
 chooses_again() {
     choice >"$work/first"

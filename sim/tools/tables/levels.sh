@@ -10,4 +10,4 @@ awk 'function thousand(n) { return sprintf("%.0f", n / 1000) }
     { printf "| %s | %d | %d | %d | %s | %s | %s | %s | %s | %s | %s | %s | %s | %d |\n", $1, $14, $15, $16, thousand($5), thousand($17),
         thousand($6), thousand($7), thousand($19), thousand($8), thousand($20), $9, $12, $13
       seconds += $12; if ($12 > most) { most = $12; slowest = $1 } }
-    END { printf "\nCompiling takes %.1f s of a processor in the mean, and %s s at most (%s).\n", seconds / NR, most, slowest }' "$work/rows"
+    END { printf "\nCompiling a map with its textures takes %.1f s of a processor in the mean, and %s s at most (%s).\n", seconds / NR, most, slowest }' "$work/rows"

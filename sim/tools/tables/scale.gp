@@ -13,7 +13,7 @@ of(kind, value) = stringcolumn(2) eq kind ? value : NaN
 set multiplot layout 1, 2
 set title 'work of a frame'
 set ylabel 'nodes, and pieces of polygons, reached'
-set yrange [30:*]
+set yrange [5:*]
 plot ARG1 using (of('rooms', $3)):9 with linespoints pointtype 6 linecolor rgb '#20a060' title 'rooms: nodes', \
     '' using (of('rooms', $3)):10 with linespoints pointtype 7 linecolor rgb '#20a060' title 'rooms: pieces', \
     '' using (of('mesh', $3)):9 with linespoints pointtype 6 linecolor rgb '#2060c0' title 'mesh: nodes', \
@@ -21,7 +21,7 @@ plot ARG1 using (of('rooms', $3)):9 with linespoints pointtype 6 linecolor rgb '
     x with lines dashtype 3 linecolor rgb '#808080' title 'all of them'
 set title 'thousand instructions a frame'
 set ylabel ''
-set yrange [300:*]
+set yrange [100:*]
 plot ARG1 using (of('rooms', $3)):11 with linespoints pointtype 6 linecolor rgb '#20a060' title 'rooms: Cortex-M0+, predicted', \
     '' using (of('rooms', $3)):12 with linespoints pointtype 7 linecolor rgb '#20a060' title 'rooms: Cortex-M4F, counted', \
     '' using (of('mesh', $3)):11 with linespoints pointtype 6 linecolor rgb '#2060c0' title 'mesh: Cortex-M0+, predicted', \
