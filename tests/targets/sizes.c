@@ -37,7 +37,7 @@ enum {
     MOVER_B = MCU_MOVER_B + INDEX_B + (IS_FINE ? MCU_MOVER_FINE_B : 0) +
               (LIM_HAS_ANTIALIAS ? MCU_MOVER_ANTIALIAS_B : 0) + (LIM_HAS_LIGHT ? MCU_MOVER_LIGHT_B : 0) +
               (LIM_HAS_TEXTURE ? MCU_MOVER_TEXTURE_B : 0) + (LIM_HAS_SKY ? MCU_MOVER_SKY_B : 0) +
-              (LIM_HAS_TELE && !IS_FINE ? MCU_MOVER_TELE_B : 0)
+              (LIM_HAS_TELE && !IS_FINE ? MCU_MOVER_TELE_B : 0) + (LIM_HAS_LONG ? MCU_MOVER_LONG_B : 0)
 };
 /* CPUs that do not multiply to 64 bits keep finer rows in fewer bytes, and those that multiply pairs three rows and the
  * eye, whose three entries of 16 bits take two words, not three. */
