@@ -57,18 +57,6 @@ struct lim_camera {
 };
 LIM_OPTIONAL_END
 
-/* What ends a list of a camera's members, in whichever build: `{{1, 2, 3}, yaw, ..., near_q8 LIM_CAMERA_ORIGIN(0, 0,
- * 0)}`. */
-#define LIM_CAMERA_ORIGIN(x, y, z) LIM_ORIGIN_IF(LIM_HAS_LONG, x, y, z)
-#define LIM_ORIGIN_IF(has, x, y, z) LIM_ORIGIN_IF_(has, x, y, z)
-#define LIM_ORIGIN_IF_(has, x, y, z) LIM_ORIGIN_IF_##has(x, y, z)
-#define LIM_ORIGIN_IF_0(x, y, z)
-#define LIM_ORIGIN_IF_1(x, y, z)                                                                                       \
-    ,                                                                                                                  \
-    {                                                                                                                  \
-        x, y, z                                                                                                        \
-    }
-
 /* Where an eye is in such a scene: |at| < 2^30 units, and what is left of one. */
 struct lim_long;
 struct lim_long_eye {

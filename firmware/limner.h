@@ -24,12 +24,15 @@
 #include "agree.h"
 #include "camera.h"
 #include "config.h"
-#include "long.h"
 #include "meshes.h"
 #include "orders.h"
 #include "scene.h"
 #include "stages.h"
 #include "target.h"
+
+#if LIM_HAS_LONG
+#include "long.h"
+#endif
 
 LIM_C_BEGIN
 

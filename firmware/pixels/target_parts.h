@@ -8,26 +8,30 @@
 #include "target.h"
 
 /* Whether a target leaves out pixels of its lines: lim_target_visible() says which it has. */
+#if LIM_HAS_ROUND
 static inline bool lim_target_is_round(const struct lim_target *target)
 {
-#if LIM_HAS_ROUND
     return target->visible != NULL;
-#else
-    (void)target;
-    return false;
-#endif
 }
 
 static inline void lim_target_visible(const struct lim_target *target, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
 {
-#if LIM_HAS_ROUND
     target->visible(target->ctx, y_px, x0_px, x1_px);
+}
 #else
+static inline bool lim_target_is_round(const struct lim_target *target)
+{
+    (void)target;
+    return false;
+}
+
+static inline void lim_target_visible(const struct lim_target *target, uint16_t y_px, uint16_t *x0_px, uint16_t *x1_px)
+{
     (void)y_px;
     *x0_px = 0;
     *x1_px = target->w_px;
-#endif
 }
+#endif
 
 /* What a target keeps is filled by, or NULL: it lends lines. */
 static inline lim_piece_fill *lim_target_fill(const struct lim_target *target)

@@ -26,7 +26,8 @@ enum option_code {
     OPTION_NEAR,
     OPTION_UNLIT,
     OPTION_KEEP_FACES,
-    OPTION_DROP_SMALL
+    OPTION_DROP_SMALL,
+    OPTION_COORDINATES
 };
 
 static const struct option OPTIONS[] = {
@@ -37,6 +38,7 @@ static const struct option OPTIONS[] = {
     {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
+    {"coordinates", required_argument, NULL, OPTION_COORDINATES},
     ORIENTATION_OPTIONS,
     {NULL, 0, NULL, 0},
 };
@@ -62,6 +64,8 @@ static bool parse_option(int code, char **argv, struct compile_options *out, str
     case ORIENTATION_REVERSE_FACES:
     case ORIENTATION_TWO_SIDED:
         return orientation_parse(code, optarg, &out->orientation, err);
+    case OPTION_COORDINATES:
+        return coordinates_parse(optarg, &out->coordinates, err);
     case OPTION_DROP_SMALL:
         out->drop_small = true;
         return true;

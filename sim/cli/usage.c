@@ -112,7 +112,7 @@ static const struct usage_entry ENTRIES[] = {
      "  --mesh-leaves WHICH dense parts of a tree that no plane divides, ordered by distance: approximate; all of\n"
      "                      those that may be, none, or auto: where method and tree are open, those that cost less\n"
      "                      and err no more than the precision promises (auto; render, view: none)\n"},
-    {SCENES | MEASURE | ONE,
+    {SCENES | MEASURE | COMPARE | SPLITTERS | ONE,
      "  --coordinates BITS  16; 32 for scenes of many scales, in which the smallest face is 2^16 times smaller than\n"
      "                      all of it, or less; or auto: 32 where 16 would lose faces, or with --max-error err more\n"
      "                      (auto)\n"},

@@ -100,7 +100,6 @@ static bool has_option(enum measure_of of, int code)
     case OPTION_METHOD:
     case OPTION_TREE:
     case OPTION_MESH_LEAVES:
-    case OPTION_COORDINATES:
     case OPTION_PORTALS:
         return of != MEASURE_METHODS;
     case OPTION_SUB_BITS:

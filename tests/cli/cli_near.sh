@@ -102,12 +102,12 @@ tap_check "compile refuses none at all" refused '--near 0: the near plane must l
 } >"$work/speck.obj"
 speck='speck\.obj: face [2-6] \(0\.0003 m\).* faces would vanish or move too far'
 tap_check "what no camera sees is not judged" "$limner" compile "$work/speck.obj" --report
-tap_check "a nearer near plane sees it" refused "$speck" compile "$work/speck.obj" --near 0.01 -o "$work/out/x"
-tap_check "in render, too" refused "$speck" render "$work/speck.obj" --near 0.01 -o "$work/out/%d.png"
-tap_check "and in measure" refused "$speck" measure "$work/speck.obj" --near 0.01 --no-cost --precision fast
-tap_check "and in splitters" refused "$speck" splitters "$work/speck.obj" --near 0.01
-tap_check "boxes of a floor move too far" refused 'floor1000\.obj: face' compile "$work/floor1000.obj" -o "$work/out/x"
-tap_check "but not for a camera that stays away" "$limner" compile "$work/floor1000.obj" --near 90 --report
-tap_check "nor for measure's" "$limner" measure "$work/floor1000.obj" --near 90 --no-cost --precision fast --size 16x16
-tap_check "a bound is met by what that camera needs" "$limner" compile "$work/floor1000.obj" --near 90 --max-error 50 --report
+tap_check "a nearer near plane sees it" refused "$speck" compile "$work/speck.obj" --coordinates 16 --near 0.01 -o "$work/out/x"
+tap_check "in render, too" refused "$speck" render "$work/speck.obj" --coordinates 16 --near 0.01 -o "$work/out/%d.png"
+tap_check "and in measure" refused "$speck" measure "$work/speck.obj" --coordinates 16 --near 0.01 --no-cost --precision fast
+tap_check "and in splitters" refused "$speck" splitters "$work/speck.obj" --coordinates 16 --near 0.01
+tap_check "boxes of a floor move too far" refused 'floor1000\.obj: face' compile "$work/floor1000.obj" --coordinates 16 -o "$work/out/x"
+tap_check "but not for a camera that stays away" "$limner" compile "$work/floor1000.obj" --coordinates 16 --near 90 --report
+tap_check "nor for measure's" "$limner" measure "$work/floor1000.obj" --coordinates 16 --near 90 --no-cost --precision fast --size 16x16
+tap_check "a bound is met by what that camera needs" "$limner" compile "$work/floor1000.obj" --coordinates 16 --near 90 --max-error 50 --report
 tap_done

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Scenes whose grid is too coarse for what is in them: every command that compiles a model refuses, names faces, sizes and
-# what helps, and writes nothing; with --drop-small it says how much is left out. What is predicted of a scene is what its
+# Scenes whose grid is too coarse for what is in them, where it must be one of 16 bits (cli_coordinates.sh has those that
+# may have 32): every command that compiles a model refuses, names faces, sizes and what helps, and writes nothing; with --drop-small it says how much is left out. What is predicted of a scene is what its
 # cameras find, also near what is small.
 . tests/tap.sh
 
@@ -14,48 +14,48 @@ ground=$work/ground240000.obj
 
 small='ground240000.obj: face [0-9]* \(0\.6 m\), [0-9]* \(0\.6 m\), [0-9]* \(0\.6 m\) \.\.\.: 12[05] of 126 faces would vanish or move too far on a grid with units of 3\.66 m; split the model into several scenes, enlarge what is small, leave it out by --drop-small$'
 for profile in draft fast fine exact; do
-    tap_check "compile refuses what vanishes, $profile" refused "$small" compile "$ground" -o "$work/out/x" --precision $profile
-    tap_check "render, too, $profile" refused "$small" render "$ground" -o "$work/out/%d.png" --gif "$work/out/x.gif" --precision $profile
-    tap_check "and measure, $profile" refused "$small" measure "$ground" --no-cost -o "$work/out" --precision $profile
+    tap_check "compile refuses what vanishes, $profile" refused "$small" compile "$ground" --coordinates 16 -o "$work/out/x" --precision $profile
+    tap_check "render, too, $profile" refused "$small" render "$ground" --coordinates 16 -o "$work/out/%d.png" --gif "$work/out/x.gif" --precision $profile
+    tap_check "and measure, $profile" refused "$small" measure "$ground" --coordinates 16 --no-cost -o "$work/out" --precision $profile
 done
-tap_check "view refuses" refused "$small" view "$ground"
-tap_check "compare refuses" refused "$small" compare "$ground" --no-cost -o "$work/out"
-tap_check "splitters refuses" refused "$small" splitters "$ground"
-tap_check "play refuses" refused "$small" play "$ground" --panel st7789 --spi /dev/spidev99.0 --dc GPIO25
-tap_check "compile refuses one such model of two" refused "$small" compile sim/scenes/knot.obj "$ground" -o "$work/out/x"
-tap_check "also where it only reports" refused "$small" compile "$ground" --report
+tap_check "view refuses" refused "$small" view "$ground" --coordinates 16
+tap_check "compare refuses" refused "$small" compare "$ground" --coordinates 16 --no-cost -o "$work/out"
+tap_check "splitters refuses" refused "$small" splitters "$ground" --coordinates 16
+tap_check "play refuses" refused "$small" play "$ground" --coordinates 16 --panel st7789 --spi /dev/spidev99.0 --dc GPIO25
+tap_check "compile refuses one such model of two" refused "$small" compile sim/scenes/knot.obj "$ground" --coordinates 16 -o "$work/out/x"
+tap_check "also where it only reports" refused "$small" compile "$ground" --coordinates 16 --report
 
 helps='1000.obj: face [2-6] .*, or take --precision exact$'
-tap_check "1 km: boxes of 0.1 m move too far, and exact helps" refused "$helps" compile "$work/floor1000.obj" -o "$work/out/x"
-tap_check "it does" "$limner" compile "$work/floor1000.obj" -o "$work/x" --precision exact
-tap_check "10 km are refused" refused '10000.obj: face [2-6] \(0\.1 m\)' compile "$work/floor10000.obj" -o "$work/out/x"
-tap_check "in exact, too" refused '10000.obj: face [2-6] \(0\.1 m\)' render "$work/floor10000.obj" --precision exact -o "$work/out/%d.png"
-tap_check "50 km are refused" refused '50000.obj: (all precisions are refused, exact: )?face' measure "$work/floor50000.obj" --no-cost
+tap_check "1 km: boxes of 0.1 m move too far, and exact helps" refused "$helps" compile "$work/floor1000.obj" --coordinates 16 -o "$work/out/x"
+tap_check "it does" "$limner" compile "$work/floor1000.obj" --coordinates 16 -o "$work/x" --precision exact
+tap_check "10 km are refused" refused '10000.obj: face [2-6] \(0\.1 m\)' compile "$work/floor10000.obj" --coordinates 16 -o "$work/out/x"
+tap_check "in exact, too" refused '10000.obj: face [2-6] \(0\.1 m\)' render "$work/floor10000.obj" --coordinates 16 --precision exact -o "$work/out/%d.png"
+tap_check "50 km are refused" refused '50000.obj: (all precisions are refused, exact: )?face' measure "$work/floor50000.obj" --coordinates 16 --no-cost
 tap_check "100 m are not" "$limner" compile "$work/floor100.obj" -o "$work/y"
 
 # A precision that is refused leaves the others to choose from; each reason is told once.
 reason='^draft, fast.*: refused: face 4 \(0\.1 m\), 6 .* of 126 faces would vanish'
 chooses_exact() {
-    "$limner" compile "$work/floor1000.obj" -o "$work/chosen" --max-error 1% >"$work/said" || return 1
+    "$limner" compile "$work/floor1000.obj" --coordinates 16 -o "$work/chosen" --max-error 1% >"$work/said" || return 1
     head -4 "$work/said"
     [ "$(awk '$NF == "chosen" { print $1 }' "$work/said")" = exact ] && [ -s "$work/chosen.lim" ] &&
         [ "$(grep -cE "$reason" "$work/said")" -eq 1 ] && ! grep -q '^exact.*refused' "$work/said"
 }
 measures_exact() {
-    "$limner" measure "$work/floor1000.obj" --no-cost --size 32x32 -o "$work/measured" >"$work/said" 2>"$work/err" &&
+    "$limner" measure "$work/floor1000.obj" --coordinates 16 --no-cost --size 32x32 -o "$work/measured" >"$work/said" 2>"$work/err" &&
         [ "$(awk '/^[|] (draft|fast|fine|exact)/ { print $2 }' "$work/said")" = exact ] &&
         grep -qE "$reason" "$work/measured/measure.md" && grep -q '^limner: note: draft, .*: refused: face 4' "$work/err"
 }
 misses() {
     rm -f "$work"/none*
-    ! "$limner" compile "$work/floor1000.obj" -o "$work/none" --max-vertex-error 1e-9px >"$work/said" 2>"$work/err" &&
+    ! "$limner" compile "$work/floor1000.obj" --coordinates 16 -o "$work/none" --max-vertex-error 1e-9px >"$work/said" 2>"$work/err" &&
         cat "$work/err" && grep -q 'no precision meets the bound; exact comes nearest' "$work/err" &&
         [ "$(wc -l <"$work/err")" -eq 1 ] && grep -qE "$reason" "$work/said" && ! ls "$work"/none* 2>/dev/null
 }
 tap_check "a bound is met by the precision that is not refused" chooses_exact
 tap_check "it is measured, and the others named with the reason" measures_exact
 tap_check "if it misses the bound, nothing is written" misses
-tap_check "if all are refused, one line says why" refused '10000.obj: all precisions are refused, exact: face 4 ' compile "$work/floor10000.obj" -o "$work/out/x" --max-error 1
+tap_check "if all are refused, one line says why" refused '10000.obj: all precisions are refused, exact: face 4 ' compile "$work/floor10000.obj" --coordinates 16 -o "$work/out/x" --max-error 1
 
 # What is left out is said, and counted as wrong.
 drops_some() {
