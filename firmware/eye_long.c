@@ -60,9 +60,9 @@ void lim_camera_carry(struct lim_camera *camera)
     }
 }
 
-/* n . (e - v) is below 3 * 2^30 * 1.5 * 2^30 < 2^63. Its fractions may carry. */
-static LIM_RARE int32_t exact_long_side(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
-                                        const LIM_FLASH struct lim_long_vertex *vertex)
+/* n . (e - v) - rest, rounded down; what is left goes to *fraction_q8. It is below 3 * 2^30 * 1.5 * 2^30 < 2^63. */
+static int64_t long_value(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
+                          const LIM_FLASH struct lim_long_vertex *vertex, uint8_t *fraction_q8)
 {
     int64_t whole = -(int64_t)plane->rest, rest_q8 = 0;
 
@@ -70,8 +70,17 @@ static LIM_RARE int32_t exact_long_side(const struct lim_long_eye *eye, const LI
         whole += (int64_t)plane->n[i] * (eye->at[i] - vertex->at[i]);
         rest_q8 += (int64_t)plane->n[i] * eye->fraction_q8[i];
     }
-    whole += rest_q8 >> 8;
-    return whole ? (whole > 0) - (whole < 0) : (rest_q8 & 0xFF) != 0;
+    *fraction_q8 = (uint8_t)rest_q8;
+    return whole + (rest_q8 >> 8);
+}
+
+static LIM_RARE int32_t exact_long_side(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
+                                        const LIM_FLASH struct lim_long_vertex *vertex)
+{
+    uint8_t fraction_q8;
+    const int64_t whole = long_value(eye, plane, vertex, &fraction_q8);
+
+    return whole ? (whole > 0) - (whole < 0) : fraction_q8 != 0;
 }
 
 static int32_t side_of_axis(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_vertex *vertex,
@@ -112,6 +121,20 @@ int32_t lim_eye_long_side(const struct lim_eye *eye, const LIM_FLASH struct lim_
     sum += (plane->n[2] >> 16) * (z >> shift);
     if (sum >= LONG_SLACK || sum <= -LONG_SLACK) return -sum;
     return exact_long_side(from, plane, vertex);
+}
+
+int64_t lim_eye_long_distance(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref, uint32_t *length)
+{
+    const struct lim_long_eye *from = eye->far;
+    const struct lim_long *all = from->all;
+    uint8_t fraction_q8;
+
+    *length = 1;
+    if (ref->plane >= LIM_PLANE_X)
+        return from->at[ref->plane & 3] - all->vertices[(lim_index)ref->offset].at[ref->plane & 3];
+    const LIM_FLASH struct lim_long_plane *plane = &all->planes[ref->plane];
+    *length = abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]);
+    return long_value(from, plane, &all->vertices[plane->vertex], &fraction_q8);
 }
 
 void lim_eye_long_box(const struct lim_eye *eye, const LIM_FLASH struct lim_long_box *box, struct lim_box *out)

@@ -137,8 +137,9 @@ struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t n
 {
     struct lim_clip_polygon *polygon = &polygons[0], *other = &polygons[1];
 
-    for (uint_fast8_t k = 0; LIM_HAS_LONG && k < polygon->n; k++)
-        if (*polygon->at[k].exponent < 0) lim_clip_coarsen(&polygon->at[k], near_qv);
+    if (LIM_HAS_LONG)
+        for (uint_fast8_t k = 0; k < polygon->n; k++)
+            if (*polygon->at[k].exponent < 0) lim_clip_coarsen(&polygon->at[k], near_qv);
     uint32_t crossed = planes_crossed(polygon, near_qv >> 1);
 
     for (uint_fast8_t number = 0; crossed && polygon->n; number++, crossed >>= 1) {

@@ -15,7 +15,7 @@
 
 #if LIM_HAS_PORTALS
 
-enum { BALL_MAX_UNITS = 8192, ROUNDING_UNITS = 4 };
+enum { ROUNDING_UNITS = 4, BALL_MAX_UNITS = 8192, LONG_BALL_MAX_UNITS = 1 << 20 };
 
 /* The near plane in use is at near_q8, or at 2^-16 / min(1, tan_x, tan_y) of far_units, 2^-15 where the lens is long,
  * or at 1 unit (camera.h). The rectangle's corners are sqrt(1 + t) times as far, t = tan_x^2 + tan_y^2, which is less
@@ -31,7 +31,7 @@ uint32_t lim_portals_ball_units(const struct lim_camera *camera, uint32_t far_un
     if (LIM_HAS_TELE && narrow_q12 < LIM_TAN_TELE_Q28 >> 16) narrow_q12 = 2048; /* z has more bits */
     const uint32_t least_units = ((far_units >> 4) + 1) / narrow_q12 + 1;
     if (near_units < least_units) near_units = least_units;
-    if (near_units > BALL_MAX_UNITS) return BALL_MAX_UNITS + 1;
+    if (!LIM_HAS_LONG && near_units > BALL_MAX_UNITS) return BALL_MAX_UNITS + 1;
     return near_units + (near_units * half_q8 >> 8) + 1 + ROUNDING_UNITS;
 }
 
@@ -45,9 +45,23 @@ static enum side side_at(int32_t value, int32_t reach, int32_t too_close)
     return value <= too_close && value >= -too_close ? TOO_CLOSE : TOUCHED;
 }
 
+/* Of a long scene's plane: sums have 64 bits. */
+static LIM_IF_CALLED enum side long_side_of(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref,
+                                            uint32_t ball_units)
+{
+    uint32_t length;
+    const int64_t value = lim_eye_long_distance(eye, ref, &length);
+    const int64_t reach = (int64_t)length * (ball_units + 1), too_close = (int64_t)length * (ROUNDING_UNITS + 1);
+
+    if (value > reach) return IN_FRONT;
+    if (value < -reach) return ALL_BEHIND;
+    return value <= too_close && value >= -too_close ? TOO_CLOSE : TOUCHED;
+}
+
 static enum side portals_side_of(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref,
                                  int32_t ball_units)
 {
+    if (LIM_HAS_LONG && eye->far->all) return long_side_of(eye, ref, (uint32_t)ball_units);
     if (!LIM_HAS_SLANTED || ref->plane >= LIM_PLANE_X) {
         const int32_t units = (eye->at_q8[ref->plane & 3] >> 8) - ref->offset;
         return side_at(units, ball_units + 1, ROUNDING_UNITS + 1);
@@ -108,13 +122,20 @@ static bool portals_enter(const struct lim_portals *portals, const struct lim_sc
     return true;
 }
 
+/* Whether distances to planes can be told. */
+static bool portals_may_ask(const struct lim_eye *eye, uint32_t ball_units)
+{
+    if (LIM_HAS_LONG && eye->far->all) return ball_units <= LONG_BALL_MAX_UNITS;
+    return ball_units <= BALL_MAX_UNITS && !(LIM_HAS_FILTER && eye->shift);
+}
+
 bool lim_portals_unpack(const struct lim_portals *portals, const struct lim_eye *eye, uint32_t ball_units)
 {
     const struct lim_scene *scene = eye->scene;
     uint16_t depth = 0, pvs = LIM_NONE;
     lim_index index = 0;
 
-    if (ball_units > BALL_MAX_UNITS || (LIM_HAS_FILTER && eye->shift)) return false;
+    if (!portals_may_ask(eye, ball_units)) return false;
     for (uint16_t i = 0; i < (uint16_t)LIM_PORTALS_BITS_B(scene->box_count); i++)
         portals->bits[i] = 0;
     for (;;) {

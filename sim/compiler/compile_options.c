@@ -90,7 +90,7 @@ static bool may_be_long(const struct compile_options *options, const struct mode
 {
     const enum lim_method draws = compile_options_draws(options);
     if (model->mover_count || model->picture_count || options->drop_small) return false;
-    if (options->portals == PORTALS_ON || options->mesh_leaves == MESH_LEAVES_ALL) return false;
+    if (options->mesh_leaves == MESH_LEAVES_ALL) return false;
     return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
 }
 

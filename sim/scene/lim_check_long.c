@@ -20,8 +20,7 @@ bool lim_check_long(const struct lim_scene *scene, struct error *err)
     if (!scene->node_count) return error_set(err, "coordinates of 32 bits without a tree");
     if (scene->exact_count) return error_set(err, "exact planes beside coordinates of 32 bits");
     if (scene->limits.leaf_polygons) return error_set(err, "mesh leaves beside coordinates of 32 bits");
-    if (scene->texture_count) return error_set(err, "textures beside coordinates of 32 bits");
-    return !scene->place_count || error_set(err, "visible sets beside coordinates of 32 bits");
+    return !scene->texture_count || error_set(err, "textures beside coordinates of 32 bits");
 }
 
 bool lim_check_long_vertices(const struct lim_scene *scene, struct error *err)

@@ -106,8 +106,9 @@ cameras_are_where_the_file_says() {
     awk '$1 == "#define" && $2 == "MANY_UNITS_PER_M" { scale = $3 }
         $1 == "#define" && $2 ~ /^MANY_ORIGIN_[XYZ]_M$/ { origin[++axes] = $3 }
         FILENAME ~ /cam$/ { count++; for (i = 1; i <= 3; i++) metres[count, i] = $i }
-        /^    \{\{/ {
+        /^    \{\.eye/ {
             frame++
+            gsub(/\.[a-z0-9_]+ =/, " ")
             gsub(/[^-0-9]+/, " ")
             if (split($0, number, " ") != 12) bad = 1
             for (i = 1; i <= 3; i++) {
@@ -128,7 +129,7 @@ not_32() { # WHAT ARGUMENT...
 textured=$BUILD/scenes/textured/textured.obj
 not_32 sim/scenes/movers.gltf
 [ ! -f "$textured" ] || not_32 "$textured"
-for options in '--method mesh' '--method mesh-depth' '--method newell' '--method depth' '--method portals' '--portals on' \
+for options in '--method mesh' '--method mesh-depth' '--method newell' '--method depth' \
     '--mesh-leaves all' '--tree mesh' '--tree none' --drop-small; do
     # shellcheck disable=SC2086 # options are words
     tap_check "$options: refused with 32 bits" refused ': --coordinates 32: not with what moves, textures, or methods' \

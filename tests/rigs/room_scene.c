@@ -4,6 +4,7 @@
 #include "room_scene.h"
 
 #include "compiler/compile_mesh.h"
+#include "model/grid.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -207,15 +208,28 @@ struct viewpoint room_scene_view(const struct room_scene *scene, struct random *
     return viewpoint;
 }
 
-bool room_scene_compile(const struct room_scene *scene, enum portals_wanted portals, const struct core *core,
-                        struct compiled *out, struct error *err)
+static bool compile_cleaned(struct mesh *mesh, enum portals_wanted portals, const struct core *core,
+                            struct compiled *out, struct error *err)
 {
     const struct compile_options options = {
         .tolerance_units = 0.5, .splitter = "auto", .keep_faces = true, .portals = portals, .core = core};
-    struct mesh mesh;
-
-    if (!mesh_clean(&scene->model, &mesh, err)) return false;
-    const bool ok = mesh_insert_t_vertices(&mesh, err) && compile_mesh(&mesh, &options, out, err);
-    mesh_free(&mesh);
+    const bool ok = mesh_insert_t_vertices(mesh, err) && compile_mesh(mesh, &options, out, err);
+    mesh_free(mesh);
     return ok;
+}
+
+bool room_scene_compile(const struct room_scene *scene, enum portals_wanted portals, const struct core *core,
+                        struct compiled *out, struct error *err)
+{
+    struct mesh mesh;
+    return mesh_clean(&scene->model, &mesh, err) && compile_cleaned(&mesh, portals, core, out, err);
+}
+
+bool room_scene_compile_long(const struct room_scene *scene, enum portals_wanted portals, const struct core *core,
+                             struct compiled *out, struct error *err)
+{
+    struct grid grid;
+    struct mesh mesh;
+    return grid_choose_long(&scene->model, &grid, err) && mesh_clean_on(&scene->model, &grid, &mesh, err) &&
+           compile_cleaned(&mesh, portals, core, out, err);
 }

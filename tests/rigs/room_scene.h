@@ -46,4 +46,8 @@ struct viewpoint room_scene_view(const struct room_scene *scene, struct random *
 bool room_scene_compile(const struct room_scene *scene, enum portals_wanted portals, const struct core *core,
                         struct compiled *out, struct error *err);
 
+/* The same with coordinates of 32 bits. */
+bool room_scene_compile_long(const struct room_scene *scene, enum portals_wanted portals, const struct core *core,
+                             struct compiled *out, struct error *err);
+
 #endif

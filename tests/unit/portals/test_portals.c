@@ -64,8 +64,12 @@ static void compare(struct pair *pair, const struct compiled *scene, struct view
     tally->different += memcmp(pair->with.pixels, pair->without.pixels, pixels_b) != 0;
 }
 
+typedef bool compile_rooms(const struct room_scene *scene, enum portals_wanted portals, const struct core *core,
+                           struct compiled *out, struct error *err);
+
 /* Random buildings, `views` from each. */
-static void look_around(const struct simulator_setup *setup, int scenes, int views, uint64_t seed, struct tally *tally)
+static void look_around(compile_rooms *compile, const struct simulator_setup *setup, int scenes, int views,
+                        uint64_t seed, struct tally *tally)
 {
     struct random random = {seed};
 
@@ -75,7 +79,7 @@ static void look_around(const struct simulator_setup *setup, int scenes, int vie
         struct pair pair;
         struct error err;
         room_scene_random(&rooms, &random);
-        if (!room_scene_compile(&rooms, PORTALS_ON, setup->core, &scene, &err)) fail_msg("%s", err.text);
+        if (!compile(&rooms, PORTALS_ON, setup->core, &scene, &err)) fail_msg("%s", err.text);
         pair_begin(&pair, &scene, setup);
         for (int v = 0; v < views; v++)
             compare(&pair, &scene, room_scene_view(&rooms, &random), tally);
@@ -92,7 +96,7 @@ static void nothing_visible_is_hidden_from_100000_eyes(void **state)
     struct tally tally = {0};
 
     (void)state;
-    look_around(&setup, scenes, 2000, 4711, &tally);
+    look_around(room_scene_compile, &setup, scenes, 2000, 4711, &tally);
     printf("# portals: %zu views of %d buildings, %zu differ; %zu with something left out, %.1f subtrees each\n",
            tally.views, scenes, tally.different, tally.restricted, (double)tally.hidden / (double)tally.restricted);
     assert_int_equal(tally.different, 0);
@@ -108,9 +112,24 @@ static void other_profiles_and_the_painter_agree(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof setups / sizeof *setups; i++) {
         struct tally tally = {0};
-        look_around(&setups[i], effort(6), 500, 99 + i, &tally);
+        look_around(room_scene_compile, &setups[i], effort(6), 500, 99 + i, &tally);
         assert_int_equal(tally.different, 0);
         assert_true(tally.restricted > 0);
+    }
+}
+
+/* Distances to planes then have 64 bits, and the near plane may be further off than 16 bits hold. */
+static void with_coordinates_of_32_bits_nothing_visible_is_hidden(void **state)
+{
+    const struct simulator_setup setups[] = {{32, 24, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, &core_fast},
+                                             {48, 48, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, &core_exact},
+                                             {60, 40, LIM_PAINTER, SIMULATOR_MEMORY, &core_fine}};
+    (void)state;
+    for (size_t i = 0; i < sizeof setups / sizeof *setups; i++) {
+        struct tally tally = {0};
+        look_around(room_scene_compile_long, &setups[i], effort(8), 1000, 7 + i, &tally);
+        assert_int_equal(tally.different, 0);
+        assert_true(tally.restricted * 5 > tally.views);
     }
 }
 
@@ -554,6 +573,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_visible_is_hidden_from_100000_eyes),
         cmocka_unit_test(other_profiles_and_the_painter_agree),
+        cmocka_unit_test(with_coordinates_of_32_bits_nothing_visible_is_hidden),
         cmocka_unit_test(solids_through_one_another_do_no_harm),
         cmocka_unit_test(a_door_shows_what_is_across_and_hides_the_corner_beside_it),
         cmocka_unit_test(a_ball_through_a_wall_sees_what_is_behind_it),
