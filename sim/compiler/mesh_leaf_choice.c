@@ -13,6 +13,7 @@
 #include "compiler/mesh_choice.h"
 #include "model/original.h"
 #include "scene/mcu_mem.h"
+#include "trees/splitter.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -86,6 +87,7 @@ bool leaf_trial_begin(struct leaf_trial *trial, const struct mesh *mesh, const s
     if (!is_open(options, scene)) return false;
     trial->options.mesh_leaves = MESH_LEAVES_ALL;
     trial->options.portals = PORTALS_OFF;
+    if (scene->report.choice.replaced && scene->report.tree == TREE_BSP) trial->options.splitter = splitter_scout->name;
     if (!compilation_begin(&trial->work, mesh, &trial->options, &ignored) || !parts_taken(&trial->work.parts))
         return false;
     scene->report.leaf_parts = (struct leaf_report){

@@ -48,6 +48,10 @@ static void print_outlines(const struct compiled *scene)
 
 static void print_choice(const struct compile_report *report)
 {
+    if (report->choice.replaced)
+        printf("    %-26s %.1f %% of the smallest BSP tree's instructions, %.1f %% of its bytes\n",
+               "chosen:", 100.0 * report->instructions / report->choice.bsp_instructions,
+               100.0 * (double)report->flash_b / (double)report->choice.bsp_flash_b);
     if (report->choice.kind == CHOICE_UNKNOWN)
         printf("    %-26s no cost is predicted where polygons are transparent\n", "chosen:");
     else if (report->choice.kind == CHOICE_LONG)
@@ -55,12 +59,8 @@ static void print_choice(const struct compile_report *report)
     else if (report->choice.kind == CHOICE_NEEDLESS)
         printf("    %-26s it splits less than a quarter, and reaches %.1f polygons for one that is seen\n",
                "chosen:", report->reached_a_seen);
-    else if (report->tree == TREE_BSP)
+    else if (!report->choice.replaced)
         printf("    %-26s no other tree spares a tenth of its instructions\n", "chosen:");
-    else
-        printf("    %-26s %.1f %% of the BSP tree's instructions, %.1f %% of its bytes\n",
-               "chosen:", 100.0 * report->instructions / report->choice.bsp_instructions,
-               100.0 * (double)report->flash_b / (double)report->choice.bsp_flash_b);
 }
 
 /* Trees are compared as filled polygons in profile fast; of other frames that says nothing. */

@@ -25,11 +25,12 @@ struct portal_report {
     double cost_before, cost_after; /* frame_cost_work() of all of them, the look-up included; NaN: not known */
 };
 
-/* What another tree than the BSP tree was weighed against. */
+/* What other trees than the smallest BSP tree were weighed against. */
 struct tree_choice {
     /* UNKNOWN: nothing is predicted; LONG: there are too many polygons to try unasked; NEEDLESS: the BSP tree splits
      * too little to look on */
     enum { CHOICE_NONE, CHOICE_UNKNOWN, CHOICE_LONG, CHOICE_NEEDLESS, CHOICE_MADE } kind;
+    bool replaced; /* by a tree that is cheaper to draw */
     double bsp_instructions;
     size_t bsp_flash_b;
 };

@@ -62,6 +62,35 @@ other_tree() { # SCENE
 }
 tap_check "9 x 9 rooms have a tree that reaches few" other_tree rooms9
 
+# The building and its walk, turned upright by 30 degrees: no wall lies in an axis plane any more.
+turn() { # SCENE TURNED
+    awk '{ c = sqrt(3) / 2; s = 0.5 }
+        /^v/ { printf "v %.6f %.6f %.6f\n", c * $2 + s * $4, $3, c * $4 - s * $2; next } { print }' "$work/$1.obj" >"$work/$2.obj" &&
+        awk '{ c = sqrt(3) / 2; s = 0.5
+            print c * $1 + s * $3, $2, c * $3 - s * $1, c * $4 + s * $6, $5, c * $6 - s * $4 }' "$work/$1.cam" >"$work/$2.cam"
+}
+# No tree that is asked for by name is cheaper on the walk, by more than a twentieth, than what is taken unasked.
+costs_with() { # SCENE [OPTION...]
+    scene=$1
+    shift
+    "$BUILD/limner" compile "$work/$scene.obj" -o "$work/asked" "$@" >"$work/said" &&
+        "$BUILD/limner" render "$work/asked.lim" --camera "$work/$scene.cam" --size 240x240 --stats |
+        awk '/^predicted/ { print $(NF - 3) }'
+}
+chosen_well() { # SCENE
+    taken=$(costs_with "$1")
+    echo "taken: $taken"
+    for asked in '--tree bsp' '--tree bsp --splitter weighted-20' '--tree axis' '--tree clusters' '--mesh-leaves none' '--mesh-leaves all'; do
+        cost=$(costs_with "$1" $asked)
+        echo "$asked: $cost"
+        [ "$taken" -gt 100000 ] && [ "$cost" -gt 100000 ] && [ $((100 * taken)) -le $((105 * cost)) ] || return 1
+    done
+}
+tap_check "40 x 40 rooms" make_scene rooms 40
+tap_check "have the tree that is cheapest to draw" chosen_well rooms40
+tap_check "they are turned" turn rooms40 turned40
+tap_check "and have it then, too" chosen_well turned40
+
 # Wide scenes: indices of 32 bits, where more than 65535 of something are counted.
 is_wide() { grep -q "^#define LIM_HAS_WIDE $2\$" "$work/$1.h"; }
 tap_check "a small building is narrow" is_wide rooms6 0
