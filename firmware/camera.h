@@ -50,7 +50,8 @@ struct lim_camera {
     /* Distance of the near plane, units: 1..2^24 (1/256 to 65536). The one in use is never nearer than
      * 2^-16 / min(1, tan_x, tan_y) of the distance of the scene's far end, nor than 1 unit: less than 2 units
      * for an eye within the grid and a lens of 90 degrees. Nearer by, z has too few bits to divide by. Of lenses below
-     * LIM_TAN_TELE_Q28, with LIM_HAS_TELE, it may be as near as 2^-15 of that distance, and 2 units. */
+     * LIM_TAN_TELE_Q28, with LIM_HAS_TELE, it may be as near as 2^-15 of that distance, and 2 units. In a scene of many
+     * scales it is 14000 units away at most (long.h). */
     int32_t near_q8;
     /* In a scene of many scales (long.h): where eye_q8 counts from, units; eye and origin together are below 2^30. */
     LIM_OPTIONAL(int32_t, origin, 3 * LIM_HAS_LONG);

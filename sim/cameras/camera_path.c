@@ -474,7 +474,8 @@ bool camera_path_to_camera(const struct camera_path *path, size_t frame, const s
                            const struct grid *grid, struct lim_camera *camera, struct error *err)
 {
     const struct viewpoint *viewpoint = &path->frames[frame];
-    const double end_units = grid->is_long ? LIM_LONG_EYE_END : EYE_END_Q8 / 256.0;
+    const double end_units = grid->is_long ? LIM_LONG_EYE_END - 1 : EYE_END_Q8 / 256.0;
+    const double near_max_q8 = grid->is_long ? LIM_LONG_NEAR_MAX_Q8 : NEAR_MAX_Q8;
     for (int i = 0; i < 3; i++) {
         const double eye_units = (viewpoint->eye_m[i] - grid->origin_m[i]) * grid->units_per_m;
         if (!(fabs(round(eye_units * 256.0)) < end_units * 256.0))
@@ -483,9 +484,9 @@ bool camera_path_to_camera(const struct camera_path *path, size_t frame, const s
         camera_put(camera, i, eye_units, grid);
     }
     double near_q8 = round(lens->near_m * grid->units_per_m * 256.0);
-    if (!(near_q8 >= 1.0 && near_q8 <= NEAR_MAX_Q8))
+    if (!(near_q8 >= 1.0 && near_q8 <= near_max_q8))
         return error_set(err, "--near %g: out of range; this scene allows %.3g to %.3g m", lens->near_m,
-                         lens_least_near_m(lens, grid) * LENS_PRINTED_UP, NEAR_MAX_Q8 / 256.0 / grid->units_per_m);
+                         lens_least_near_m(lens, grid) * LENS_PRINTED_UP, near_max_q8 / 256.0 / grid->units_per_m);
     camera->near_q8 = (int32_t)near_q8;
 
     double direction[3];

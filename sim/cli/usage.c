@@ -119,7 +119,9 @@ static const struct usage_entry ENTRIES[] = {
     {SCENES | MEASURE | COMPARE | ONE,
      "  --splitter NAME     which polygon's plane divides: first, fewest, balanced, weighted, sampled,\n"
      "                      or the best of fewest and all weights: auto (auto)\n"},
-    {SCENES | SPLITTERS, "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5)\n"},
+    {SCENES | SPLITTERS,
+     "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5; in 1/256 of\n"
+     "                      them where units are too large for the smallest faces)\n"},
     {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS | ONE,
      "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; compile, render, view: that of --panel)\n"},
     {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km;\n"

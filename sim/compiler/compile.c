@@ -81,10 +81,10 @@ static bool compile_cleaned(const struct model *model, struct mesh *mesh, const 
     return ok;
 }
 
-static bool clean_long(const struct model *model, struct mesh *mesh, struct error *err)
+static bool clean_long(const struct model *model, double near_m, struct mesh *mesh, struct error *err)
 {
     struct grid grid;
-    return grid_choose_long(model, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
+    return grid_choose_long(model, near_m, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
 }
 
 bool compile_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
@@ -92,7 +92,7 @@ bool compile_clean(const struct model *model, const struct compile_options *opti
 {
     enum coordinates coordinates;
     if (!compile_options_coordinates(options, model, &coordinates, err)) return false;
-    if (coordinates == COORDINATES_32) return clean_long(model, mesh, err);
+    if (coordinates == COORDINATES_32) return clean_long(model, options->near_m, mesh, err);
     struct error refused = {0};
     const bool ok = mesh_clean(model, mesh, &refused);
     if (coordinates == COORDINATES_16) {
@@ -101,7 +101,7 @@ bool compile_clean(const struct model *model, const struct compile_options *opti
     }
     if (ok && !faithful_wants_finer(mesh, options)) return true;
     if (ok) mesh_free(mesh);
-    return clean_long(model, mesh, err);
+    return clean_long(model, options->near_m, mesh, err);
 }
 
 bool compile_part(const struct model *model, const struct grid *grid, const struct compile_options *options,

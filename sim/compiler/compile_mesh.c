@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double FRACTION_UNITS = 1.0 / 256.0;
 static const double GRID_END = 32767.5; /* halves round up: 32767.5 would be 32768 */
 static const double LONG_GRID_END = LIM_LONG_END - 1;
 
@@ -107,6 +108,12 @@ static bool has_fractions(const struct compilation *work)
     return is_exact(work->options) || work->mesh->grid.has_fractions;
 }
 
+/* Where a unit is too much to tell the smallest faces apart, half of one is too much to be off a plane. */
+static double tolerance_units(const struct compilation *work)
+{
+    return work->options->tolerance_units * (work->mesh->grid.has_fractions ? FRACTION_UNITS : 1.0);
+}
+
 /* A convex solid is drawn as a whole: bounds of its parts would only take flash. Those of all of it,
  * the root's, tell the camera how far the scene reaches. */
 static void image_make(struct encoding *encoding, const struct grid *grid, struct compiled *out)
@@ -138,7 +145,7 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
                          struct compiled *out, struct error *err)
 {
     const bool is_divided = kind != TREE_NONE;
-    const struct tree_plan plan = {kind, splitter, work->options->tolerance_units,
+    const struct tree_plan plan = {kind, splitter, tolerance_units(work),
                                    is_divided && work->parts.count ? &work->parts : NULL};
     struct bsp bsp;
     struct encoding encoding = {0};
@@ -316,7 +323,7 @@ bool compilation_begin(struct compilation *work, const struct mesh *mesh, const 
         exact_add_m(&work->points, mesh->points[i], &mesh->grid);
     if (!check_grid(work, err) || !check_size(work, err)) return false;
     if (options->tree == TREE_MESH) return true; /* nothing is divided */
-    coplanar_find(mesh, work->points.approx, options->tolerance_units, &work->coplanar);
+    coplanar_find(mesh, work->points.approx, tolerance_units(work), &work->coplanar);
     if (options->mesh_leaves == MESH_LEAVES_ALL && compile_options_may_leaf(options)) {
         parts_find(mesh, work->points.approx, &work->parts);
         if (options->whole_leaf) parts_unite(&work->parts, mesh);

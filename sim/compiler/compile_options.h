@@ -30,7 +30,8 @@ enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 enum coordinates { COORDINATES_AUTO, COORDINATES_16, COORDINATES_32 };
 
 struct compile_options {
-    double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact */
+    double tolerance_units;      /* a polygon this near to a plane lies on it; 0.5 by default, 0 = exact; in 1/256 unit
+                                    where the grid has fractions */
     const struct method *method; /* how it is to be drawn; NULL: convex for one convex solid, else nearest first */
     bool choose_order;           /* where that is NULL: or by scan lines, or as a mesh, if that is cheaper */
     double wrong_percent;        /* most of pixels that a mesh without a tree may have wrong; 0: its profile's */

@@ -4,6 +4,7 @@
 #include "model/grid.h"
 
 #include "base/grow.h"
+#include "long.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -230,7 +231,7 @@ static double least_face_m(const struct model *model)
     return least_m;
 }
 
-bool grid_choose_long(const struct model *model, struct grid *grid, struct error *err)
+bool grid_choose_long(const struct model *model, double near_m, struct grid *grid, struct error *err)
 {
     struct place *places = grow_zeroed(model->corner_count, sizeof *places);
     size_t count = find_places(model, places);
@@ -241,7 +242,8 @@ bool grid_choose_long(const struct model *model, struct grid *grid, struct error
     *grid = (struct grid){.is_long = true};
     for (int axis = 0; axis < 3; axis++)
         grid->origin_m[axis] = all.low[axis] + (all.high[axis] - all.low[axis]) / 2;
-    const double wanted = fmax(UNITS_A_FACE / least_face_m(model), FINER_THAN_SHORT * GRID_SPAN_UNITS / longest_m);
+    const double needed = fmax(UNITS_A_FACE / least_face_m(model), FINER_THAN_SHORT * GRID_SPAN_UNITS / longest_m);
+    const double wanted = near_m > 0 ? fmin(needed, LIM_LONG_NEAR_MAX_Q8 / 256.0 / near_m) : needed;
     grid->units_per_m = fmin(LONG_SPAN_UNITS / longest_m, wanted);
     grid->has_fractions = grid->units_per_m < wanted;
     return true;

@@ -13,8 +13,8 @@
 bool grid_choose(const struct model *model, struct grid *grid, struct error *err);
 
 /* A grid of many scales, for a long scene: units are a small part of what the smallest face takes, and as large as they
- * have to be for the whole scene to span 2^30 of them. */
-bool grid_choose_long(const struct model *model, struct grid *grid, struct error *err);
+ * have to be for the whole scene to span 2^30 of them, and for a near plane at near_m, or 0, if it is not known. */
+bool grid_choose_long(const struct model *model, double near_m, struct grid *grid, struct error *err);
 
 /* Points nearer than this are one: 1/16 unit, 2^-20 of the scene's longest side. A float32 importer
  * is 16 times finer. */

@@ -32,8 +32,6 @@ static void open_lens(struct extreme *extreme)
     extreme->lens.near_m = fmax(picture->near_m, least_near_units(&extreme->lens) / extreme->scene.grid.units_per_m);
 }
 
-static const double USUAL_TOLERANCE_UNITS = 0.5; /* --tolerance */
-
 /* Of a long scene the reference has the model's own points, unrounded. */
 static bool clean(struct extreme *extreme, const struct model *model, const struct compile_options *options,
                   bool is_long, struct error *err)
@@ -52,9 +50,9 @@ static bool clean(struct extreme *extreme, const struct model *model, const stru
 }
 
 static void open_extreme(struct extreme *extreme, const struct model *model, const struct core *profile,
-                         const struct extreme_picture *picture, bool is_long, double tolerance_units)
+                         const struct extreme_picture *picture, bool is_long)
 {
-    const struct compile_options options = {.tolerance_units = tolerance_units,
+    const struct compile_options options = {.tolerance_units = 0.5,
                                             .splitter = "fewest",
                                             .keep_faces = true,
                                             .core = profile,
@@ -76,13 +74,13 @@ static void open_extreme(struct extreme *extreme, const struct model *model, con
 void extreme_open(struct extreme *extreme, const struct model *model, const struct core *profile,
                   const struct extreme_picture *picture)
 {
-    open_extreme(extreme, model, profile, picture, false, USUAL_TOLERANCE_UNITS);
+    open_extreme(extreme, model, profile, picture, false);
 }
 
 void extreme_open_long(struct extreme *extreme, const struct model *model, const struct core *profile,
-                       const struct extreme_picture *picture, double tolerance_units)
+                       const struct extreme_picture *picture)
 {
-    open_extreme(extreme, model, profile, picture, true, tolerance_units);
+    open_extreme(extreme, model, profile, picture, true);
 }
 
 void extreme_close(struct extreme *extreme)
@@ -218,7 +216,7 @@ static void run(const struct extreme_plan *plan, bool is_long)
     for (size_t k = 0; k < count; k++) {
         struct random random = {71};
         struct extreme extreme;
-        open_extreme(&extreme, &model, profiles[k], &plan->picture, is_long, USUAL_TOLERANCE_UNITS);
+        open_extreme(&extreme, &model, profiles[k], &plan->picture, is_long);
         if (!is_long) assert_true(extreme.scene.grid.units_per_m == 1);
         for (int f = 0; f < effort(plan->frames) && extreme.sum.holes <= HOLES_ENOUGH; f++)
             plan->look(&extreme, &random);

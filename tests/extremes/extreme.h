@@ -34,9 +34,9 @@ struct extreme {
 void extreme_open(struct extreme *extreme, const struct model *model, const struct core *profile,
                   const struct extreme_picture *picture);
 
-/* The same with coordinates of 32 bits; tolerance_units is the compiler's, 0.5 by default. */
+/* The same with coordinates of 32 bits. */
 void extreme_open_long(struct extreme *extreme, const struct model *model, const struct core *profile,
-                       const struct extreme_picture *picture, double tolerance_units);
+                       const struct extreme_picture *picture);
 void extreme_close(struct extreme *extreme);
 
 /* Draws a frame and adds it to the sum; the faces are in extreme->ids.faces. */

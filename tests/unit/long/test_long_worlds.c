@@ -167,14 +167,13 @@ static double most_wrong(const struct core *profile)
     return profile->profile == LIM_PROFILE_FAST ? 0.1 : profile->profile == LIM_PROFILE_FINE ? 0.05 : 0.01;
 }
 
-static void draw_world(const struct world *world, uint64_t seed, const struct core *profile, double tolerance_units,
-                       struct holes *sum)
+static void draw_world(const struct world *world, uint64_t seed, const struct core *profile, struct holes *sum)
 {
     const struct extreme_picture picture = {WORLD_PX, WORLD_PX, 70, 1e-9};
     struct random random = {seed};
     struct extreme extreme;
 
-    extreme_open_long(&extreme, &world->model, profile, &picture, tolerance_units);
+    extreme_open_long(&extreme, &world->model, profile, &picture);
     for (int f = 0; f < effort(WORLD_FRAMES); f++)
         look(&extreme, world, &random);
     sum->pixels += extreme.sum.pixels;
@@ -186,7 +185,7 @@ static void draw_world(const struct world *world, uint64_t seed, const struct co
 }
 
 /* The smallest heap is 2^-most_bits as large as half of the room. */
-static void worlds_are_closed_and_in_order(int most_bits, double tolerance_units)
+static void worlds_are_closed_and_in_order(int most_bits)
 {
     const struct core *profiles[PROFILES_MAX];
     const size_t count = profiles_find(profiles);
@@ -199,7 +198,7 @@ static void worlds_are_closed_and_in_order(int most_bits, double tolerance_units
         world_make(&world, &random, most_bits);
         const uint64_t seed = random_u64(&random) | 1;
         for (size_t k = 0; k < count; k++)
-            draw_world(&world, seed, profiles[k], tolerance_units, &sums[k]);
+            draw_world(&world, seed, profiles[k], &sums[k]);
         model_free(&world.model);
     }
     for (size_t k = 0; k < count; k++) {
@@ -216,26 +215,26 @@ static void worlds_are_closed_and_in_order(int most_bits, double tolerance_units
 static void worlds_of_2_10(void **state)
 {
     (void)state;
-    worlds_are_closed_and_in_order(10, 0.5);
+    worlds_are_closed_and_in_order(10);
 }
 
 static void worlds_of_2_16(void **state)
 {
     (void)state;
-    worlds_are_closed_and_in_order(16, 0.5);
+    worlds_are_closed_and_in_order(16);
 }
 
 static void worlds_of_2_22(void **state)
 {
     (void)state;
-    worlds_are_closed_and_in_order(22, 0.5);
+    worlds_are_closed_and_in_order(22);
 }
 
-/* Things of some two units, whose vertices have fractions: what is within half a unit is not one plane there. */
+/* Things of some two units, whose vertices have fractions: half a unit is no tolerance there. */
 static void worlds_of_2_28(void **state)
 {
     (void)state;
-    worlds_are_closed_and_in_order(28, 1.0 / 256);
+    worlds_are_closed_and_in_order(28);
 }
 
 int main(void)
