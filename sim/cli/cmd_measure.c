@@ -110,6 +110,7 @@ static bool measure_all(struct measurement *measurement, struct error *err)
     table->scene = request->name;
     table->w_px = request->w_px;
     table->h_px = request->h_px;
+    table->scales = measure_scales_of(&measurement->source.mesh);
     table->cpus = request->cpus;
     table->cpu_count = request->cpu_count;
     table->optimise = request->optimise;

@@ -38,6 +38,15 @@ static void print_accuracy(const struct measure_row *row, FILE *out)
             accuracy_vertex_rms_px(accuracy), accuracy->vertex_max_px, accuracy->sides_wrong, accuracy->sides);
 }
 
+static void print_scales(const struct measure_scales *scales, FILE *out)
+{
+    fprintf(out, "\nScales: the model is %.6g m long", scales->longest_m);
+    if (scales->smallest_m > 0.0)
+        fprintf(out, ", its smallest surface %.3g m, 1 to %.0f", scales->smallest_m,
+                scales->longest_m / scales->smallest_m);
+    fprintf(out, ". Coordinates have %u bits, a unit is %.3g m.\n", scales->coordinate_bits, scales->unit_m);
+}
+
 static void print_accuracies(const struct measure_table *table, FILE *out)
 {
     fputs("| precision | sub-pixel bits | wrong, % | worst frame (its number) | beyond 1 px, ppm | holes "
@@ -52,6 +61,7 @@ static void print_accuracies(const struct measure_table *table, FILE *out)
                  "precision; left out are clipped ones and those that splitting made.\n");
     fprintf(out, "%s: %zu were compared, %zu made by splitting.\n", table->rows[0].core->name, first->vertices,
             first->vertices_without_source);
+    print_scales(&table->scales, out);
 }
 
 static void print_number(const char *format, double number, FILE *out)
@@ -242,7 +252,7 @@ static void csv_cost(const struct measure_row *row, size_t cpu, const char *name
 }
 
 /* Columns of accuracy that came later than those of cost. */
-static void csv_later(const struct measure_row *row, FILE *out)
+static void csv_later(const struct measure_row *row, const struct measure_scales *scales, FILE *out)
 {
     const struct accuracy *accuracy = &row->accuracy;
     fprintf(out, ",%zu,%zu", accuracy->pixels.total.order, accuracy->textures_b);
@@ -253,6 +263,8 @@ static void csv_later(const struct measure_row *row, FILE *out)
         fputs(",,,,", out);
     if (accuracy->texels_painted && !isnan(accuracy->texel_straight_percent))
         fprintf(out, "%.2f", accuracy->texel_straight_percent);
+    fprintf(out, ",%u,%.9g,%.9g,", scales->coordinate_bits, scales->unit_m, scales->longest_m);
+    if (scales->smallest_m > 0.0) fprintf(out, "%.9g", scales->smallest_m);
     fputc('\n', out);
 }
 
@@ -262,18 +274,19 @@ void measure_table_csv(const struct measure_table *table, FILE *out)
           "vertex_rms_px,vertex_max_px,vertices,vertices_without_source,sides,sides_wrong,"
           "core,instructions,worst_instructions,worst_instructions_frame,a_vertex,a_plane_test,"
           "state_b,pools_b,static_b,code_b,library_b,scene_b,on_front,dominated_by,order_errors,textures_b,"
-          "texel_rms,texel_far_percent,texel_level_percent,texel_straight_percent\n",
+          "texel_rms,texel_far_percent,texel_level_percent,texel_straight_percent,coordinate_bits,unit_m,longest_m,"
+          "smallest_m\n",
           out);
     for (size_t i = 0; i < table->row_count; i++) {
         for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {
             csv_accuracy(table, &table->rows[i], out);
             csv_cost(&table->rows[i], cpu, table->cpus[cpu]->name, out);
-            csv_later(&table->rows[i], out);
+            csv_later(&table->rows[i], &table->scales, out);
         }
         if (table->cpu_count) continue;
         csv_accuracy(table, &table->rows[i], out);
         fputs(",,,,,,,,,,,,,,", out);
-        csv_later(&table->rows[i], out);
+        csv_later(&table->rows[i], &table->scales, out);
     }
 }
 

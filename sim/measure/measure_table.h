@@ -5,6 +5,7 @@
 #define SIM_MEASURE_TABLE_H
 
 #include "measure/measure_refusals.h"
+#include "measure/measure_scales.h"
 #include "measure/measurement.h"
 
 #include <stdio.h>
@@ -22,6 +23,7 @@ struct measure_row {
 struct measure_table {
     const char *scene; /* its name */
     unsigned w_px, h_px;
+    struct measure_scales scales;
     const struct measure_cpu *const *cpus; /* cpu_count of them; 0: cost was not measured */
     size_t cpu_count;
     const char *optimise; /* what the code is for; NULL: speed, as usual */

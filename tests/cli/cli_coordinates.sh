@@ -26,6 +26,16 @@ auto_takes_32() {
 }
 tap_check "auto takes 32 bits for it" auto_takes_32
 
+measure_tells_the_scales() {
+    "$limner" measure "$many" --no-cost --size 32x32 --precision fast --camera "$cameras" -o "$work/measured" >"$work/said" &&
+        grep '^Scales: the model is 240000 m long, its smallest surface 0.6 m, 1 to 400000. Coordinates have 32 bits' "$work/measured/measure.md" &&
+        awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+            { print $column["coordinate_bits"], $column["unit_m"], $column["longest_m"], $column["smallest_m"]
+              exit !($column["coordinate_bits"] == 32 && $column["longest_m"] == 240000 && $column["smallest_m"] == 0.6 &&
+                     $column["unit_m"] < 0.001) }' "$work/measured/measure.csv"
+}
+tap_check "measure tells how far the scales are apart" measure_tells_the_scales
+
 auto_is_as_16() { # SCENE
     "$limner" compile "sim/scenes/$1.obj" -o "$work/auto" >"$work/auto.report" &&
         "$limner" compile "sim/scenes/$1.obj" --coordinates 16 -o "$work/short" >"$work/short.report" &&
