@@ -8,7 +8,7 @@
  *   of its own come before (#define LIM_HAS_STATS 1). Compilers without __has_include do not find it.
  *
  * With neither the renderer has all features, for any scene; that works, and is large. Whatever a header leaves open
- * gets the host's generous value here, so every flag is always defined. agree.h holds all files to one value. */
+ * gets the host's generous value here, so every flag is always defined. agree.h sees that all files agree. */
 
 #if !defined(LIM_CONFIG) && defined(__has_include)
 #if __has_include(<limner_config.h>)
