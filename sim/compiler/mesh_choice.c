@@ -11,9 +11,11 @@
 #include "compiler/order_choice.h"
 #include "core/core.h"
 #include "model/original.h"
+#include "render/frame_cost.h"
 #include "scene/mcu_mem.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static const double ENOUGH = 0.95;     /* of the instructions of the tree, or of its bytes */
 static const double NO_WRONGER = 1.25; /* times the tree's wrong pixels, where it has more than promised itself */
@@ -80,6 +82,19 @@ static bool try_one(const struct mesh *mesh, const struct compile_options *optio
     return false;
 }
 
+/* Those that faces have. 0: too many to count. */
+static size_t points_used(const struct mesh *mesh)
+{
+    bool *is_used = calloc(mesh->point_count + 1, sizeof *is_used);
+    size_t count = 0;
+    for (size_t i = 0; is_used && i < mesh->corner_count; i++) {
+        count += !is_used[mesh->corners[i]];
+        is_used[mesh->corners[i]] = true;
+    }
+    free(is_used);
+    return count;
+}
+
 /* By depth is never cheaper than by distance. */
 bool mesh_choice_try(const struct mesh *mesh, const struct compile_options *options, struct compiled *scene,
                      struct mesh_trials *trials)
@@ -93,6 +108,9 @@ bool mesh_choice_try(const struct mesh *mesh, const struct compile_options *opti
                                    .tree_mem_b = mcu_mem_b(scene),
                                    .tree_flash_b = scene->report.flash_b};
     choice->by_depth.instructions = choice->by_depth.wrong_percent = NAN;
+    choice->by_distance.instructions = choice->by_distance.wrong_percent = NAN;
+    choice->vertices_instructions = frame_cost_of_mesh_vertices_m0plus(points_used(mesh));
+    if (choice->vertices_instructions > choice->tree_instructions) return false;
     if (!try_one(mesh, options, "mesh", scene, &choice->by_distance, &trials->by_distance)) return false;
     (void)try_one(mesh, options, "mesh-depth", scene, &choice->by_depth, &trials->by_depth);
     return true;

@@ -103,6 +103,8 @@ static void print_mesh_choice(const struct compiled *scene)
     printf("    %-26s %8.0f instructions", "by the tree", choice->tree_instructions);
     if (!isnan(choice->tree_wrong_percent)) printf(", %.4f %% of pixels wrong", choice->tree_wrong_percent);
     printf("\n");
+    if (choice->vertices_instructions > choice->tree_instructions)
+        printf("    %-26s %8.0f instructions for its vertices alone\n", "as a mesh", choice->vertices_instructions);
     print_trial("by distance", &choice->by_distance);
     print_trial("by depth", &choice->by_depth);
     if (choice->cameras)

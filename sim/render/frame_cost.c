@@ -156,6 +156,11 @@ static double cost_of_textures(const struct lim_stats *stats, const struct lim_t
            POLYGON * stats->polygons_seen;
 }
 
+double frame_cost_of_mesh_vertices_m0plus(size_t vertices)
+{
+    return MESH.vertex * (double)vertices;
+}
+
 double frame_cost_of_scene_m0plus(const struct lim_stats *stats, const struct lim_target *target,
                                   const struct lim_scene *scene)
 {

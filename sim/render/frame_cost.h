@@ -22,6 +22,9 @@ double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target 
 double frame_cost_of_scene_m0plus(const struct lim_stats *stats, const struct lim_target *target,
                                   const struct lim_scene *scene);
 
+/* What all vertices of a scene drawn as a mesh take: a frame transforms each of them. */
+double frame_cost_of_mesh_vertices_m0plus(size_t vertices);
+
 /* What that of polygons of one colour is the sum of. */
 struct frame_cost_term {
     const char *name;

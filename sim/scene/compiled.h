@@ -70,7 +70,8 @@ struct mesh_choice {
     bool tried;
     double tree_instructions, tree_wrong_percent;
     size_t tree_mem_b, tree_flash_b;
-    double bound_percent; /* of wrong pixels, of whichever cameras */
+    double bound_percent;         /* of wrong pixels, of whichever cameras */
+    double vertices_instructions; /* of a mesh's vertices alone: with more than the tree's, none was tried */
     struct mesh_trial {
         double instructions;  /* predicted */
         double wrong_percent; /* the worse of all and of portraits; NaN: as it is not cheaper, nobody looked */

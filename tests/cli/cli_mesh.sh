@@ -86,6 +86,14 @@ few_bytes() {
     awk '/^  in all/ { exit !($NF <= 13) }' "$work/said"
 }
 
+# No more than what such a mesh takes, tried by name; the tree takes less than that.
+not_tried() { # MODEL
+    "$limner" compile "$1" --report >"$work/said" && "$limner" compile "$1" --method mesh --report >"$work/by_name" || return 1
+    grep -A 4 'not drawn as a mesh' "$work/said" && grep '^  instructions a frame' "$work/by_name" && ! grep 'by distance' "$work/said" || return 1
+    awk '/^    by the tree/ { tree = $4 } / for its vertices alone/ { least = $4 } /^  instructions a frame/ { all = $4 }
+        END { exit !(tree > 0 && tree < least && least < all) }' "$work/said" "$work/by_name"
+}
+
 quick() { # 100,000 triangles
     ball 224 >"$work/large.obj"
     timeout 60 "$limner" render "$work/large.obj" --method mesh-depth --size 96x96 --frames 1 -o "$work/large.png"
@@ -99,6 +107,7 @@ tap_check "and in exact" wrong "$work/ball.obj" 0.06 --method mesh-depth --preci
 tap_check "boxes through each other are right by depth" wrong "$work/cross.obj" 0.05 --method mesh-depth
 tap_check "and wrong by distance: what is approximate may be" passes_through "$work/cross.obj" 0.05 --method mesh
 tap_check "far from an eye within the bounds they are right by depth, too" wrong "$work/around.obj" 0.05 --method mesh-depth --camera "$work/around.cam"
+tap_check "no mesh is tried where its vertices alone cost more" not_tried sim/scenes/rooms.obj
 tap_check "rooms from within nearly are" wrong sim/scenes/rooms.obj 0.07 --method mesh-depth --camera sim/scenes/rooms.cam
 for method in mesh mesh-depth; do
     tap_check "a file draws what its model does, $method" same_frames $method
