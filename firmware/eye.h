@@ -20,6 +20,9 @@ int32_t lim_eye_long_side(const struct lim_eye *eye, const LIM_FLASH struct lim_
 /* How far in front of a plane the eye is, rounded down, in parts of a unit: a unit's distance is *length of them at
  * most, < 2^32. */
 int64_t lim_eye_long_distance(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref, uint32_t *length);
+/* n . (e - v) - rest of a plane at its vertex, rounded down; what is left goes to *fraction_q8. */
+int64_t lim_eye_long_value(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
+                           const LIM_FLASH struct lim_long_vertex *vertex, uint8_t *fraction_q8);
 void lim_eye_long_box(const struct lim_eye *eye, const LIM_FLASH struct lim_long_box *box, struct lim_box *out);
 
 /* Whichever the scene is. */

@@ -6,6 +6,7 @@
 
 #include "config.h"
 
+struct lim_long_eye;
 struct lim_scene;
 struct lim_texture;
 
@@ -42,7 +43,11 @@ struct lim_texturing {
     const struct lim_scene *scene;
     LIM_OPTIONAL(struct lim_sky *, sky, LIM_HAS_SKY);
     struct lim_texture_axis axes[3]; /* what a half-pixel to the right and down adds to the way ahead, and that */
-    int16_t eye_high[LIM_TEXTURE_AXES], eye_low_q8[LIM_TEXTURE_AXES]; /* 256 high + low / 256 units */
+    union {
+        int16_t eye_high[LIM_TEXTURE_AXES]; /* with low, the eye: 256 high + low / 256 units */
+        const struct lim_long_eye *far;     /* in a long scene (long.h); no low then */
+    };
+    int16_t eye_low_q8[LIM_TEXTURE_AXES];
     int8_t axis_bits[3];                                              /* the axes are 2^these times too long */
     uint8_t far_bits;                                                 /* no vertex is 2^far_bits units away or more */
     int16_t w_px, h_px;

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What texture.c sees of a polygon, in a scene whose coordinates have 32 bits.
+ *
+ * With p the point that a ray from the eye e meets, u = a . (p - v) + b = (a . (e - v) + b) + a . (p - e). What is in
+ * brackets is the place at the eye, which may be a million pictures away from v: it is exact, in 64 bits. The other way
+ * is in view, so it is a screen's width or so of the texels shown; and so is what n . D has to tell: 16 bits of a and n
+ * do for both, as in a scene of 16 bits, and the rest of the arithmetic is the same. Where the plane is must be exact
+ * again: h = n . (v - e) + rest, in 64 bits. Of n, whose longest component is 2^30 or near that, the upper halves
+ * count; their length is 2^14 sqrt(3) at most. So are those of a, which LIM_LONG_UV_MAX bounds. */
+#include "pixels/texture_seen.h"
+
+#include "eye.h"
+
+#if LIM_HAS_TEXTURE && LIM_HAS_LONG
+
+enum { HALF_BITS = 16 }; /* what the halves lack of a and n */
+
+static inline int16_t upper_half(int32_t x)
+{
+    return (int16_t)((x + 0x8000) >> HALF_BITS);
+}
+
+static inline struct lim_texture_plane plane_of(const struct lim_texturing *texturing, const int16_t n[3])
+{
+    const struct lim_texture_axis *axes = texturing->axes;
+
+    return (struct lim_texture_plane){normal_q15(n, &axes[2]), normal_q15(n, &axes[0]), normal_q15(n, &axes[1])};
+}
+
+/* |h| < 2^63. What is below a unit of it counts for nothing where n is as long as it should be. */
+static inline struct height height_of_long(int64_t h)
+{
+    const uint64_t size = h < 0 ? 0 - (uint64_t)h : (uint64_t)h;
+    struct height height = height_of_words((uint32_t)(size >> 32), (uint32_t)size, h < 0);
+
+    height.bits = (int8_t)(height.bits + 8 - HALF_BITS);
+    return height;
+}
+
+static void see_plane(const struct lim_texturing *texturing, const LIM_FLASH struct lim_mapping *mapping,
+                      struct seen *seen)
+{
+    const struct lim_long_eye *eye = texturing->far;
+    const struct lim_long *all = lim_scene_long(texturing->scene);
+    int16_t n[3] = {0, 0, 0};
+    int64_t h;
+
+    if (mapping->scale & LIM_MAPPING_UPRIGHT) {
+        const uint_fast8_t axis = mapping->scale >> LIM_MAPPING_AXIS_SHIFT;
+        const int32_t way = all->vertices[mapping->plane].at[axis] - eye->at[axis];
+        n[axis] = LIM_MAPPING_UPRIGHT_N;
+        h = (way * INT64_C(256) - eye->fraction_q8[axis]) * (LIM_MAPPING_UPRIGHT_N * INT64_C(65536) / 256);
+    } else {
+        const LIM_FLASH struct lim_long_plane *plane = &all->planes[mapping->plane];
+        uint8_t fraction_q8;
+        for (uint_fast8_t i = 0; i < 3; i++)
+            n[i] = upper_half(plane->n[i]);
+        h = -lim_eye_long_value(eye, plane, &all->vertices[plane->vertex], &fraction_q8);
+    }
+    seen->height = height_of_long(h);
+    seen->depth = plane_of(texturing, n);
+    if (seen->height.behind) negate(&seen->depth);
+    seen->depth_bits = fill_bits(texturing, &seen->depth, 1);
+}
+
+void lim_texture_see_long(const struct lim_texturing *texturing, uint16_t number, struct seen *seen)
+{
+    const struct lim_long_eye *eye = texturing->far;
+    const struct lim_long *all = lim_scene_long(texturing->scene);
+    const LIM_FLASH struct lim_mapping *mapping = &texturing->scene->mappings[number];
+    const LIM_FLASH struct lim_long_mapping *places = &all->mappings[number];
+    const LIM_FLASH struct lim_long_vertex *vertex = &all->vertices[(lim_index)places->vertex];
+    const uint_fast8_t j = lim_axis_after(mapping->scale >> LIM_MAPPING_AXIS_SHIFT), k = lim_axis_after(j);
+    const int32_t way_j = eye->at[j] - vertex->at[j], way_k = eye->at[k] - vertex->at[k];
+
+    see_plane(texturing, mapping, seen);
+    for (uint_fast8_t i = 0; i < 2; i++) {
+        const int32_t a_j = places->uv[i][0], a_k = places->uv[i][1];
+        int16_t a[3] = {0, 0, 0};
+        a[j] = upper_half(a_j);
+        a[k] = upper_half(a_k);
+        seen->uv[i] = plane_of(texturing, a);
+        const int64_t part_q8 = (int64_t)a_j * eye->fraction_q8[j] + (int64_t)a_k * eye->fraction_q8[k];
+        const int64_t place = (int64_t)a_j * way_j + (int64_t)a_k * way_k + (part_q8 >> 8);
+        seen->eye_uv_q16[i] = mapping->at_zero_q16[i] + (uint32_t)(place >> (places->bits - 16));
+    }
+    const int8_t uv_bits = fill_bits(texturing, seen->uv, 2);
+    seen_settle(texturing, places->level_q4, places->bits - HALF_BITS + uv_bits, seen);
+}
+
+#endif
