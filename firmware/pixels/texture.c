@@ -60,28 +60,23 @@ static void texture_set_axes(struct lim_texturing *texturing, const struct lim_c
         set_axis(&texturing->axes[i], &axes_q30[3 * i]);
 }
 
-static inline void texture_set_eye(struct lim_texturing *texturing, const struct lim_view *view,
-                                   const struct lim_camera *camera)
-{
-    texturing->far_bits = (uint8_t)(32 - clz_u32(view->rows.far_units));
-    for (uint_fast8_t i = 0; i < LIM_TEXTURE_AXES; i++) {
-        const int32_t at_q8 = camera->eye_q8[i % 3];
-        texturing->eye_high[i] = (int16_t)((at_q8 + 0x8000) >> 16);
-        texturing->eye_low_q8[i] = (int16_t)(at_q8 - texturing->eye_high[i] * INT32_C(65536));
-    }
-}
-
 void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *scene, const struct lim_view *view,
                        const struct lim_camera *camera, const int32_t axes_q30[9])
 {
     texturing->scene = scene;
     texturing->w_px = (int16_t)view->width.px;
     texturing->h_px = (int16_t)view->height.px;
+    texturing->far_bits = (uint8_t)(32 - clz_u32(view->rows.far_units));
     if (LIM_HAS_LONG && lim_scene_long(scene)) {
         texturing->far_bits = LIM_LONG_FAR_BITS;
         texturing->far = view->rows.eye;
-    } else
-        texture_set_eye(texturing, view, camera);
+    } else {
+        for (uint_fast8_t i = 0; i < LIM_TEXTURE_AXES; i++) {
+            const int32_t at_q8 = camera->eye_q8[i % 3];
+            texturing->eye_high[i] = (int16_t)((at_q8 + 0x8000) >> 16);
+            texturing->eye_low_q8[i] = (int16_t)(at_q8 - texturing->eye_high[i] * INT32_C(65536));
+        }
+    }
     texture_set_axes(texturing, camera, axes_q30);
     /* log2 of a pixel's side at depth 1, the mean of both: 2 tan / side. */
     const int16_t sum_q4 = (int16_t)(log2_q4(camera->tan_x_q28) + log2_q4(camera->tan_y_q28) -
@@ -174,7 +169,11 @@ static inline void see(const struct lim_texturing *texturing, const LIM_FLASH st
         seen->eye_uv_q16[i] = eye_place_q16(texturing, a, j, bits, mapping->at_zero_q16[i]);
     }
     const int8_t uv_bits = fill_bits(texturing, seen->uv, 2);
-    seen_settle(texturing, (int16_t)(mapping->level_q3 * 2), bits + uv_bits, seen);
+    seen->shift = (int8_t)(bits + uv_bits - seen->depth_bits - seen->height.bits - 9);
+    seen->level_q4 =
+        (int16_t)(mapping->level_q3 * 2 + 7 * 16 + texturing->level_q4 + log2_q4((uint32_t)seen->height.mantissa) +
+                  16 * seen->height.bits + (29 * 16 + 3 * 16 * seen->depth_bits) / 2 + MIDDLE_OF_LEVEL_Q4 -
+                  3 * LIM_TEXTURE_LOG2_Q4 / 2);
 }
 
 /* Even ------------------------------------------------------------------------------------------------------------ */
@@ -288,15 +287,14 @@ void lim_texture_set(const struct lim_texturing *texturing, uint16_t number, con
     struct seen seen;
 
     const struct lim_scene *const scene = texturing->scene;
-    const uint16_t mapping_number = number_of_mapping(scene, number, words);
-    const LIM_FLASH struct lim_mapping *const mapping = &scene->mappings[mapping_number];
+    const LIM_FLASH struct lim_mapping *const mapping = &scene->mappings[number_of_mapping(scene, number, words)];
     out->texture = &scene->textures[number_of_texture(scene, number, words)];
     if (LIM_HAS_SKY && lim_texture_is_sky(out->texture)) {
         lim_sky_set(texturing, mapping, out);
         return;
     }
     if (LIM_HAS_LONG && lim_scene_long(scene))
-        lim_texture_see_long(texturing, mapping_number, &seen);
+        lim_texture_see_long(texturing, number_of_mapping(scene, number, words), &seen);
     else
         see(texturing, mapping, &seen);
     out->is_even = set_even(texturing, &seen, &around, out);

@@ -86,7 +86,11 @@ void lim_texture_see_long(const struct lim_texturing *texturing, uint16_t number
         seen->eye_uv_q16[i] = mapping->at_zero_q16[i] + (uint32_t)(place >> (places->bits - 16));
     }
     const int8_t uv_bits = fill_bits(texturing, seen->uv, 2);
-    seen_settle(texturing, places->level_q4, places->bits - HALF_BITS + uv_bits, seen);
+    seen->shift = (int8_t)(places->bits - HALF_BITS + uv_bits - seen->depth_bits - seen->height.bits - 9);
+    seen->level_q4 =
+        (int16_t)(places->level_q4 + 7 * 16 + texturing->level_q4 + log2_q4((uint32_t)seen->height.mantissa) +
+                  16 * seen->height.bits + (29 * 16 + 3 * 16 * seen->depth_bits) / 2 + MIDDLE_OF_LEVEL_Q4 -
+                  3 * LIM_TEXTURE_LOG2_Q4 / 2); /* as in texture.c, where GCC wants to see it */
 }
 
 #endif

@@ -104,14 +104,4 @@ static inline void negate(struct lim_texture_plane *plane)
     plane->y = -plane->y;
 }
 
-/* What follows from all else: `bits` are the fraction's of what uv was made of, `level_q4` is the mapping's. */
-static inline void seen_settle(const struct lim_texturing *texturing, int16_t level_q4, int_fast16_t bits,
-                               struct seen *seen)
-{
-    seen->shift = (int8_t)(bits - seen->depth_bits - seen->height.bits - 9);
-    seen->level_q4 = (int16_t)(level_q4 + 7 * 16 + texturing->level_q4 + log2_q4((uint32_t)seen->height.mantissa) +
-                               16 * seen->height.bits + (29 * 16 + 3 * 16 * seen->depth_bits) / 2 + MIDDLE_OF_LEVEL_Q4 -
-                               3 * LIM_TEXTURE_LOG2_Q4 / 2);
-}
-
 #endif
