@@ -4,28 +4,43 @@
  *
  * With p the point that a ray from the eye e meets, u = a . (p - v) + b = (a . (e - v) + b) + a . (p - e). What is in
  * brackets is the place at the eye, which may be a million pictures away from v: it is exact, in 64 bits. The other way
- * is in view, so it is a screen's width or so of the texels shown; and so is what n . D has to tell: 16 bits of a and n
- * do for both, as in a scene of 16 bits, and the rest of the arithmetic is the same. Where the plane is must be exact
- * again: h = n . (v - e) + rest, in 64 bits. Of n, whose longest component is 2^30 or near that, the upper halves
- * count; their length is 2^14 sqrt(3) at most. So are those of a, which LIM_LONG_UV_MAX bounds. */
+ * is in view, a screen's width or so of the texels shown, and so is what n . D has to tell: in profiles without limbs
+ * 16 bits of a and n do for both, as in a scene of 16 bits, and in others as many as planes have. Where the plane is
+ * must be exact again: h = n . (v - e) + rest, in 64 bits. All else is as in a scene of 16 bits.
+ *
+ * n, whose longest component is 2^30 or near that, and a, which LIM_LONG_UV_MAX bounds, are below 2^31 in length, so
+ * their products with an axis are below 2^61, and planes, which have 31 bits less, below 2^30. */
 #include "pixels/texture_seen.h"
 
 #include "eye.h"
 
 #if LIM_HAS_TEXTURE && LIM_HAS_LONG
 
-enum { HALF_BITS = 16 }; /* what the halves lack of a and n */
+/* What upper halves lack, and planes in any profile; how long the normal of an axis plane is. */
+enum { HALF_BITS = 16, LONG_UPRIGHT_N = 1 << 30 };
 
-static inline int16_t upper_half(int32_t x)
+static inline int32_t whole_product(const int32_t n[3], const struct lim_texture_axis *axis)
 {
-    return (int16_t)((x + 0x8000) >> HALF_BITS);
+    int64_t sum = 0;
+
+    LIM_UNROLLED(3)
+    for (uint_fast8_t i = 0; i < 3; i++)
+        sum += (int64_t)n[i] * (axis->high_q14[i] * INT32_C(65536) + axis->low_q30[i]);
+    return (int32_t)(sum >> 31);
 }
 
-static inline struct lim_texture_plane plane_of(const struct lim_texturing *texturing, const int16_t n[3])
+static inline struct lim_texture_plane long_plane(const struct lim_texturing *texturing, const int32_t n[3])
 {
     const struct lim_texture_axis *axes = texturing->axes;
+    int16_t halves[3];
 
-    return (struct lim_texture_plane){normal_q15(n, &axes[2]), normal_q15(n, &axes[0]), normal_q15(n, &axes[1])};
+    if (LIM_HAS_LIMBS)
+        return (struct lim_texture_plane){whole_product(n, &axes[2]), whole_product(n, &axes[0]),
+                                          whole_product(n, &axes[1])};
+    for (uint_fast8_t i = 0; i < 3; i++)
+        halves[i] = (int16_t)((n[i] + 0x8000) >> HALF_BITS);
+    return (struct lim_texture_plane){normal_q15(halves, &axes[2]), normal_q15(halves, &axes[0]),
+                                      normal_q15(halves, &axes[1])};
 }
 
 /* |h| < 2^63. What is below a unit of it counts for nothing where n is as long as it should be. */
@@ -43,23 +58,23 @@ static void see_plane(const struct lim_texturing *texturing, const LIM_FLASH str
 {
     const struct lim_long_eye *eye = texturing->far;
     const struct lim_long *all = lim_scene_long(texturing->scene);
-    int16_t n[3] = {0, 0, 0};
+    int32_t n[3] = {0, 0, 0};
     int64_t h;
 
     if (mapping->scale & LIM_MAPPING_UPRIGHT) {
         const uint_fast8_t axis = mapping->scale >> LIM_MAPPING_AXIS_SHIFT;
         const int32_t way = all->vertices[mapping->plane].at[axis] - eye->at[axis];
-        n[axis] = LIM_MAPPING_UPRIGHT_N;
-        h = (way * INT64_C(256) - eye->fraction_q8[axis]) * (LIM_MAPPING_UPRIGHT_N * INT64_C(65536) / 256);
+        n[axis] = LONG_UPRIGHT_N;
+        h = (way * INT64_C(256) - eye->fraction_q8[axis]) * (LONG_UPRIGHT_N / 256);
     } else {
         const LIM_FLASH struct lim_long_plane *plane = &all->planes[mapping->plane];
         uint8_t fraction_q8;
         for (uint_fast8_t i = 0; i < 3; i++)
-            n[i] = upper_half(plane->n[i]);
+            n[i] = plane->n[i];
         h = -lim_eye_long_value(eye, plane, &all->vertices[plane->vertex], &fraction_q8);
     }
     seen->height = height_of_long(h);
-    seen->depth = plane_of(texturing, n);
+    seen->depth = long_plane(texturing, n);
     if (seen->height.behind) negate(&seen->depth);
     seen->depth_bits = fill_bits(texturing, &seen->depth, 1);
 }
@@ -77,10 +92,10 @@ void lim_texture_see_long(const struct lim_texturing *texturing, uint16_t number
     see_plane(texturing, mapping, seen);
     for (uint_fast8_t i = 0; i < 2; i++) {
         const int32_t a_j = places->uv[i][0], a_k = places->uv[i][1];
-        int16_t a[3] = {0, 0, 0};
-        a[j] = upper_half(a_j);
-        a[k] = upper_half(a_k);
-        seen->uv[i] = plane_of(texturing, a);
+        int32_t a[3] = {0, 0, 0};
+        a[j] = a_j;
+        a[k] = a_k;
+        seen->uv[i] = long_plane(texturing, a);
         const int64_t part_q8 = (int64_t)a_j * eye->fraction_q8[j] + (int64_t)a_k * eye->fraction_q8[k];
         const int64_t place = (int64_t)a_j * way_j + (int64_t)a_k * way_k + (part_q8 >> 8);
         seen->eye_uv_q16[i] = mapping->at_zero_q16[i] + (uint32_t)(place >> (places->bits - 16));
