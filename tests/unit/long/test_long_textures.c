@@ -211,9 +211,9 @@ static void make_stamp(struct world *world, struct random *random)
     struct truth fine = any_truth(random, corner_m, 0.05);
     add_face(world, 4, (const double(*)[3])stamp_m, &fine);
     world->places = 1;
-    world->sizes_m[0] = 0.03;
+    world->sizes_m[0] = 0.005;
     for (int i = 0; i < 3; i++)
-        world->middles_m[0][i] = (stamp_m[0][i] + stamp_m[2][i]) / 2 + (i == 1 ? 0.16 : 0);
+        world->middles_m[0][i] = (stamp_m[0][i] + stamp_m[2][i]) / 2 + (i == 1 ? 0.03 : 0);
 }
 
 /* Stages ------------------------------------------------------------------------------------------ */
