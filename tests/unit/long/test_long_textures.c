@@ -3,8 +3,8 @@
  * Textures in scenes of many scales: which texel each pixel shows, against rays in double precision that meet the
  * model's own faces; in worlds with things of all sizes, on a ground of 240 km, from near and from far away; and that
  * all orders paint the same. */
-#include "compiler/compile.h"
 #include "compiler/compile_mesh.h"
+#include "compiler/faithful.h"
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
@@ -233,7 +233,7 @@ static void open_stage(struct stage *stage, const struct world *world, const str
     struct error err;
 
     *stage = (struct stage){.world = world, .core = core};
-    if (!compile_clean(&world->model, &options, &stage->mesh, &err) || !mesh_insert_t_vertices(&stage->mesh, &err) ||
+    if (!faithful_clean(&world->model, &options, &stage->mesh, &err) || !mesh_insert_t_vertices(&stage->mesh, &err) ||
         !compile_mesh(&stage->mesh, &options, &stage->scene, &err))
         fail_msg("%s", err.text);
     assert_int_equal(stage->scene.grid.is_long, coordinates == COORDINATES_32);
