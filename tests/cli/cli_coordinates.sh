@@ -199,7 +199,6 @@ for precision in draft fast fine exact; do
 done
 tap_check "antialiased: scan lines paint nearest first's picture" is_the_same_with "$many" scanline --antialias
 tap_check "antialiased: scan lines paint nearest first's texels" is_the_same_with "$work/textured.obj" scanline --antialias
-tap_check "antialiased: scan lines paint round holes" is_the_same_with "$work/masked.obj" scanline --antialias
 tap_check "clusters show nearest first's picture" is_the_same_by "$many" --method clusters
 tap_check "axis cuts show nearest first's picture" is_the_same_by "$many" --method axis
 tap_check "a framebuffer shows nearest first's picture" is_the_same_by "$many" --method bsp --panel framebuffer
