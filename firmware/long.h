@@ -38,17 +38,14 @@ struct lim_long_box {
 /* Of lim_scene.mappings, the one of the same index has a texture, a plane and an axis as in any scene, but the plane is
  * named as by lim_plane_ref of a long scene: of an axis plane by a vertex in it. What it says of a sky holds, too; its
  * other uv, its bits and its level mean nothing. A point p shows uv[i] . (p_j - v_j, p_k - v_k) / 2^bits +
- * at_zero_q16[i] / 2^16, v being a vertex near what is mapped, in widths of the picture. */
+ * at_zero_q16[i] / 2^16, v being the vertex by which the plane goes, in widths of the picture. */
 struct lim_long_mapping {
     int32_t uv[2][2]; /* the components of either add up to LIM_LONG_UV_MAX at most, without their signs */
-    uint32_t vertex;  /* index of v */
-    int16_t
-        level_q4; /* log2 of texels a unit, the mean of both directions, and half of log2(|n| / 2^30); |..| <= 1023 */
-    uint8_t bits; /* 16..62 */
-    uint8_t zero;
+    int16_t level_q4; /* log2 of texels a unit, the mean of both directions, and half of log2(|n| / 2^30) */
+    uint8_t bits, zero;
 };
 #define LIM_LONG_UV_MAX (INT32_C(32766) * 65536) /* so that 16 bits, rounded, add up to 32767 */
-enum { LIM_LONG_UV_BITS_MIN = 16, LIM_LONG_UV_BITS_MAX = 62, LIM_LONG_LEVEL_MAX_Q4 = 1023 };
+enum { LIM_LONG_UV_BITS_MIN = 16, LIM_LONG_UV_BITS_MAX = 62, LIM_LONG_LEVEL_MAX_Q4 = 1023 }; /* |level_q4| */
 
 /* lim_plane_ref.plane counts planes, not words. With an axis plane, LIM_PLANE_X and so on, lim_plane_ref.offset is the
  * index of a vertex in it. */

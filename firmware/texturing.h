@@ -48,8 +48,8 @@ struct lim_texturing {
         const struct lim_long_eye *far;     /* in a long scene (long.h); no low then */
     };
     int16_t eye_low_q8[LIM_TEXTURE_AXES];
-    int8_t axis_bits[3];                                              /* the axes are 2^these times too long */
-    uint8_t far_bits;                                                 /* no vertex is 2^far_bits units away or more */
+    int8_t axis_bits[3]; /* the axes are 2^these times too long */
+    uint8_t far_bits;    /* no vertex is 2^far_bits units away or more */
     int16_t w_px, h_px;
     int16_t level_q4; /* what the lens adds to every level of detail, log2 */
     /* Textured polygons that are numbered behind the scene's, up to `numbers`, are those of objects: a list, the last

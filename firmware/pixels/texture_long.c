@@ -2,11 +2,12 @@
  *
  * What texture.c sees of a polygon, in a scene whose coordinates have 32 bits.
  *
- * With p the point that a ray from the eye e meets, u = a . (p - v) + b = (a . (e - v) + b) + a . (p - e). What is in
- * brackets is the place at the eye, which may be a million pictures away from v: it is exact, in 64 bits. The other way
- * is in view, a screen's width or so of the texels shown, and so is what n . D has to tell: in profiles without limbs
- * 16 bits of a and n do for both, as in a scene of 16 bits, and in others as many as planes have. Where the plane is
- * must be exact again: h = n . (v - e) + rest, in 64 bits. All else is as in a scene of 16 bits.
+ * With p the point that a ray from the eye e meets, and v the plane's vertex, u = a . (p - v) + b = (a . (e - v) + b) +
+ * a . (p - e). What is in brackets is the place at the eye, which may be a million pictures away from v: it is exact,
+ * in 64 bits. The other way is in view, a screen's width or so of the texels shown, and so is what n . D has to tell:
+ * in profiles without limbs 16 bits of a and n do for both, as in a scene of 16 bits, and in others as many as planes
+ * have. Where the plane is must be exact again: h = n . (v - e) + rest, in 64 bits. All else is as in a scene of 16
+ * bits.
  *
  * n, whose longest component is 2^30 or near that, and a, which LIM_LONG_UV_MAX bounds, are below 2^31 in length, so
  * their products with an axis are below 2^61, and planes, which have 31 bits less, below 2^30. */
@@ -53,43 +54,45 @@ static inline struct height height_of_long(int64_t h)
     return height;
 }
 
-static void see_plane(const struct lim_texturing *texturing, const LIM_FLASH struct lim_mapping *mapping,
-                      struct seen *seen)
+/* Where the mapping's plane is. Returns the vertex by which it goes. */
+static const LIM_FLASH struct lim_long_vertex *see_plane(const struct lim_texturing *texturing,
+                                                         const LIM_FLASH struct lim_mapping *mapping, struct seen *seen)
 {
     const struct lim_long_eye *eye = texturing->far;
     const struct lim_long *all = lim_scene_long(texturing->scene);
+    const LIM_FLASH struct lim_long_vertex *vertex;
     int32_t n[3] = {0, 0, 0};
     int64_t h;
 
     if (mapping->scale & LIM_MAPPING_UPRIGHT) {
         const uint_fast8_t axis = mapping->scale >> LIM_MAPPING_AXIS_SHIFT;
-        const int32_t way = all->vertices[mapping->plane].at[axis] - eye->at[axis];
+        vertex = &all->vertices[mapping->plane];
         n[axis] = LONG_UPRIGHT_N;
-        h = (way * INT64_C(256) - eye->fraction_q8[axis]) * (LONG_UPRIGHT_N / 256);
+        h = ((vertex->at[axis] - eye->at[axis]) * INT64_C(256) - eye->fraction_q8[axis]) * (LONG_UPRIGHT_N / 256);
     } else {
         const LIM_FLASH struct lim_long_plane *plane = &all->planes[mapping->plane];
         uint8_t fraction_q8;
+        vertex = &all->vertices[plane->vertex];
         for (uint_fast8_t i = 0; i < 3; i++)
             n[i] = plane->n[i];
-        h = -lim_eye_long_value(eye, plane, &all->vertices[plane->vertex], &fraction_q8);
+        h = -lim_eye_long_value(eye, plane, vertex, &fraction_q8);
     }
     seen->height = height_of_long(h);
     seen->depth = long_plane(texturing, n);
     if (seen->height.behind) negate(&seen->depth);
     seen->depth_bits = fill_bits(texturing, &seen->depth, 1);
+    return vertex;
 }
 
 void lim_texture_see_long(const struct lim_texturing *texturing, uint16_t number, struct seen *seen)
 {
     const struct lim_long_eye *eye = texturing->far;
-    const struct lim_long *all = lim_scene_long(texturing->scene);
     const LIM_FLASH struct lim_mapping *mapping = &texturing->scene->mappings[number];
-    const LIM_FLASH struct lim_long_mapping *places = &all->mappings[number];
-    const LIM_FLASH struct lim_long_vertex *vertex = &all->vertices[(lim_index)places->vertex];
+    const LIM_FLASH struct lim_long_mapping *places = &lim_scene_long(texturing->scene)->mappings[number];
+    const LIM_FLASH struct lim_long_vertex *vertex = see_plane(texturing, mapping, seen);
     const uint_fast8_t j = lim_axis_after(mapping->scale >> LIM_MAPPING_AXIS_SHIFT), k = lim_axis_after(j);
     const int32_t way_j = eye->at[j] - vertex->at[j], way_k = eye->at[k] - vertex->at[k];
 
-    see_plane(texturing, mapping, seen);
     for (uint_fast8_t i = 0; i < 2; i++) {
         const int32_t a_j = places->uv[i][0], a_k = places->uv[i][1];
         int32_t a[3] = {0, 0, 0};

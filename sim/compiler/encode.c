@@ -67,12 +67,6 @@ static uint32_t corner_encode(struct encoder *work, struct grid_point point)
     return index;
 }
 
-static struct texture_anchor anchor_at(const struct encoder *work, uint32_t vertex)
-{
-    const int32_t *at = work->out->long_vertices[vertex].at;
-    return (struct texture_anchor){vertex, {at[0], at[1], at[2]}};
-}
-
 static void record_add(struct encoder *work, const struct outline *outline, const struct mesh_polygon *polygon)
 {
     struct encoding *out = work->out;
@@ -81,8 +75,6 @@ static void record_add(struct encoder *work, const struct outline *outline, cons
     out->last_record = out->word_count;
     const bool with_edges = work->with_edges && outline_hides(outline);
     uint16_t texture[LIM_POLYGON_TEXTURE_WORDS];
-    const uint32_t first = corner_encode(work, outline->corners[0]);
-    if (out->is_long) work->plane.of_polygon = anchor_at(work, first);
     const bool is_textured = (!polygon->transparency || texture_is_masked(work->bsp->mesh, polygon)) &&
                              texture_encode(&work->textures, polygon, &work->plane, texture);
     word_add(out, outline->count | work->flags | (polygon->transparency ? LIM_POLYGON_ALPHA : 0u) |
@@ -268,18 +260,20 @@ static struct lim_plane_ref plane_ref(struct encoder *work, uint32_t group)
 static struct texture_plane long_texture_plane_of(const struct encoder *work, struct lim_plane_ref ref)
 {
     struct texture_plane out = {.ref = ref, .is_long = true};
-    if (ref.plane >= LIM_PLANE_X) {
+    uint32_t vertex = (lim_index)ref.offset;
+    if (ref.plane >= LIM_PLANE_X)
         out.n[ref.plane - LIM_PLANE_X] = ldexp(1, 30);
-        out.of_plane = anchor_at(work, (lim_index)ref.offset);
-    } else {
+    else {
         const struct lim_long_plane *plane = &work->out->long_planes[ref.plane];
         for (int i = 0; i < 3; i++)
             out.n[i] = plane->n[i];
         out.d = plane->rest;
-        out.of_plane = anchor_at(work, plane->vertex);
+        vertex = plane->vertex;
     }
-    for (int i = 0; i < 3; i++)
-        out.d += out.n[i] * out.of_plane.at[i];
+    for (int i = 0; i < 3; i++) {
+        out.at[i] = work->out->long_vertices[vertex].at[i];
+        out.d += out.n[i] * out.at[i];
+    }
     return out;
 }
 

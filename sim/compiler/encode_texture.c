@@ -17,8 +17,7 @@
 enum { COUNT_MAX = 0xFFFF, SUM_MAX = 32767, LIGHT_BITS = 4 };
 static const double LEVEL_MIN = -16, LEVEL_MAX = 15.875; /* as far as 8 bits count eighths */
 static const double LONG_LEVEL_MAX = LIM_LONG_LEVEL_MAX_Q4 / 16.0;
-static const double ROUNDING_MOST = 1.0 / 1024; /* texels, of gradients that are counted from afar */
-static const double ANISOTROPY_MAX = 64;        /* of a mapping, as far as its level of detail knows */
+static const double ANISOTROPY_MAX = 64; /* of a mapping, as far as its level of detail knows */
 
 static const uint32_t NO_TEXTURE = UINT32_MAX;
 static const uint64_t NO_PICTURE = UINT64_C(1) << 63; /* of a colour alone: no texture has that number */
@@ -263,37 +262,20 @@ static void round_gradients(const struct on_grid *on, struct lim_long_mapping *o
     out->bits = (uint8_t)bits;
 }
 
-/* How many texels a half of the last bit is on the way from the vertex to the centre. */
-static double rounding_of(const struct on_grid *on, const struct texture_anchor *anchor, int bits, unsigned w_bits)
+/* Rounding turns the gradient about the centre, however far away the plane's vertex is. */
+static struct lim_mapping long_mapping_of(const struct on_grid *on, struct lim_long_mapping *places)
 {
-    double way = 0;
-    for (int i = 0; i < 3; i++)
-        if (i != on->axis) way += fabs(on->centre[i] - anchor->at[i]);
-    return ldexp(way, (int)w_bits - bits - 1);
-}
-
-/* A vertex that all of a plane share serves, unless it is too far away for these gradients. */
-static bool is_near_enough(const struct on_grid *on, int bits, unsigned w_bits)
-{
-    return rounding_of(on, &on->plane->of_plane, bits, w_bits) < ROUNDING_MOST;
-}
-
-static void long_mapping_of(const struct on_grid *on, unsigned w_bits, struct lim_mapping *out,
-                            struct lim_long_mapping *places)
-{
+    struct lim_mapping out = {.plane = plane_word(on->plane), .scale = scale_of(on, 0)};
+    const int32_t *vertex = on->plane->at;
     const int j = (on->axis + 1) % 3, k = (on->axis + 2) % 3;
-    *out = (struct lim_mapping){.plane = plane_word(on->plane), .scale = scale_of(on, 0)};
-    *places = (struct lim_long_mapping){.bits = 0};
     round_gradients(on, places);
-    const struct texture_anchor *anchor =
-        is_near_enough(on, places->bits, w_bits) ? &on->plane->of_plane : &on->plane->of_polygon;
-    places->vertex = anchor->vertex;
     for (int c = 0; c < 2; c++)
-        out->at_zero_q16[c] = place_q16(on->at_centre[c] - ldexp(places->uv[c][0] * (on->centre[j] - anchor->at[j]) +
-                                                                     places->uv[c][1] * (on->centre[k] - anchor->at[k]),
-                                                                 -places->bits));
+        out.at_zero_q16[c] = place_q16(on->at_centre[c] - ldexp(places->uv[c][0] * (on->centre[j] - vertex[j]) +
+                                                                    places->uv[c][1] * (on->centre[k] - vertex[k]),
+                                                                -places->bits));
     const double level = level_of((double(*)[3])on->texels, ldexp(length_of(on->plane->n), -30));
     places->level_q4 = (int16_t)floor(16 * fmax(fmin(level, LONG_LEVEL_MAX), -LONG_LEVEL_MAX) + 0.5);
+    return out;
 }
 
 /* Only what is asked of a sky's; the rest is that of a plane. */
@@ -339,35 +321,18 @@ static uint32_t mapping_index(struct texture_encoder *encoder, const struct lim_
     return (uint32_t)out->mapping_count - 1;
 }
 
-/* Pieces of one polygon have corners of their own, and are to share a mapping nevertheless. */
-static uint32_t long_mapping_index(struct texture_encoder *encoder, uint32_t number, const struct on_grid *on)
-{
-    struct texture_arrays *out = encoder->out;
-    const struct mapping *from = &encoder->mesh->mappings[number];
-    const struct texture *texture = &encoder->mesh->textures[from->texture];
-    const uint64_t key = (uint64_t)number << 32 | plane_word(on->plane);
-    struct lim_long_mapping places = {.bits = 0};
-    struct lim_mapping mapping = sky_of(texture);
-    if (!texture->sky.times)
-        long_mapping_of(on, texture->w_bits, &mapping, &places);
-    else
-        places.bits = LIM_LONG_UV_BITS_MIN;
-    const uint32_t *known = map_find(&encoder->far, key);
-    if (known && out->mappings[*known].scale == mapping.scale) return *known;
-    const uint32_t index = mapping_index(encoder, &mapping, &places);
-    map_at(&encoder->far, key, index);
-    return index;
-}
-
 static uint32_t mapping_number(struct texture_encoder *encoder, uint32_t number, const struct texture_plane *plane)
 {
     const struct mapping *from = &encoder->mesh->mappings[number];
     const struct texture *texture = &encoder->mesh->textures[from->texture];
+    struct lim_mapping mapping = sky_of(texture);
+    struct lim_long_mapping places = {.bits = LIM_LONG_UV_BITS_MIN}; /* a sky's, of which nothing is asked */
     struct on_grid on;
-    put_on_grid(encoder->mesh, from, plane, &on);
-    if (plane->is_long) return long_mapping_index(encoder, number, &on);
-    const struct lim_mapping mapping = texture->sky.times ? sky_of(texture) : mapping_of(&on);
-    return mapping_index(encoder, &mapping, NULL);
+    if (!texture->sky.times) {
+        put_on_grid(encoder->mesh, from, plane, &on);
+        mapping = plane->is_long ? long_mapping_of(&on, &places) : mapping_of(&on);
+    }
+    return mapping_index(encoder, &mapping, plane->is_long ? &places : NULL);
 }
 
 /* The texel that single ones share is a texture of its own. */
@@ -463,7 +428,6 @@ bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err
 void texture_encoder_free(struct texture_encoder *encoder)
 {
     map_free(&encoder->same);
-    map_free(&encoder->far);
     map_free(&encoder->looks);
     map_free(&encoder->texels);
 }

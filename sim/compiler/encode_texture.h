@@ -13,17 +13,10 @@ struct texture_encoder {
     const struct mesh *mesh;
     struct texture_arrays *out;
     struct map same;           /* hash -> first mapping of the scene with these bytes */
-    struct map far;            /* mapping of the mesh -> the scene's, at a vertex of its own: of a long scene */
     struct map looks;          /* texture and light -> texture of the scene */
     struct map texels;         /* texture -> its first block */
     unsigned light_bits;       /* levels of light are 2^light_bits a channel */
     const uint8_t *place_bits; /* of a mesh: lim_texture.place_bits of each of its textures; else NULL */
-};
-
-/* A vertex of a long scene. */
-struct texture_anchor {
-    uint32_t vertex;
-    int32_t at[3]; /* units */
 };
 
 /* The plane of a polygon as the scene has it, and where. */
@@ -31,7 +24,7 @@ struct texture_plane {
     struct lim_plane_ref ref;
     double n[3], d; /* n . p = d; of an axis plane, n is LIM_MAPPING_UPRIGHT_N long, or of a long scene 2^30 */
     bool is_long;
-    struct texture_anchor of_plane, of_polygon; /* of a long scene: near these */
+    int32_t at[3]; /* of a long scene: the vertex by which it goes, units */
 };
 
 /* Levels of light as many as palettes have room for, 16 at most: each that a face needs takes a palette. */

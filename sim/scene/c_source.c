@@ -73,8 +73,8 @@ static void write_long_mappings(FILE *file, const struct lim_scene *scene, const
     begin_array(file, prefix, "struct lim_long_mapping", "long_mappings", scene->mapping_count);
     for (size_t i = 0; i < scene->mapping_count; i++) {
         const struct lim_long_mapping *m = &lim_scene_long(scene)->mappings[i];
-        fprintf(file, "\n    {{{%ld, %ld}, {%ld, %ld}}, %lu, %d, %u, 0},", (long)m->uv[0][0], (long)m->uv[0][1],
-                (long)m->uv[1][0], (long)m->uv[1][1], (unsigned long)m->vertex, m->level_q4, m->bits);
+        fprintf(file, "\n    {{{%ld, %ld}, {%ld, %ld}}, %d, %u, 0},", (long)m->uv[0][0], (long)m->uv[0][1],
+                (long)m->uv[1][0], (long)m->uv[1][1], m->level_q4, m->bits);
     }
     end_array(file);
 }

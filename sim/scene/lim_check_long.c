@@ -67,9 +67,6 @@ bool lim_check_long_mapping(const struct lim_scene *scene, size_t index, struct 
     for (int i = 0; i < 2; i++)
         if (llabs(places->uv[i][0]) + llabs(places->uv[i][1]) > LIM_LONG_UV_MAX)
             return error_set(err, "mapping %zu: a vector is too long", index);
-    if (places->vertex >= scene->vertex_count)
-        return error_set(err, "mapping %zu: at vertex %lu of %lu", index, (unsigned long)places->vertex,
-                         (unsigned long)scene->vertex_count);
     if (places->bits < LIM_LONG_UV_BITS_MIN || places->bits > LIM_LONG_UV_BITS_MAX)
         return error_set(err, "mapping %zu: places of %u bits", index, places->bits);
     if (abs(places->level_q4) > LIM_LONG_LEVEL_MAX_Q4)

@@ -34,8 +34,8 @@ static_assert(sizeof(struct lim_box) == 12, "box");
 static_assert(sizeof(struct lim_long_vertex) == 12, "vertex of 32 bits");
 static_assert(sizeof(struct lim_long_plane) == 20, "plane of 32 bits");
 static_assert(sizeof(struct lim_long_box) == 24, "box of 32 bits");
-static_assert(sizeof(struct lim_long_mapping) == 24, "mapping of 32 bits");
-static_assert(offsetof(struct lim_long_mapping, bits) == 22, "mapping of 32 bits");
+static_assert(sizeof(struct lim_long_mapping) == 20, "mapping of 32 bits");
+static_assert(offsetof(struct lim_long_mapping, bits) == 18, "mapping of 32 bits");
 static_assert(sizeof(struct lim_mapping) == 20, "mapping");
 static_assert(offsetof(struct lim_mapping, level_q3) == 16, "mapping");
 static_assert(sizeof(struct lim_texture) == 8, "texture");
@@ -69,7 +69,7 @@ static const struct element LONG_SECTIONS[SECTION_COUNT] = {
     [SECTION_VERTICES] = {sizeof(struct lim_long_vertex), "4"},
     [SECTION_PLANES] = {sizeof(struct lim_long_plane), "4"},
     [SECTION_BOXES] = {sizeof(struct lim_long_box), "4"},
-    [SECTION_UVS] = {sizeof(struct lim_long_mapping), "44444211"},
+    [SECTION_UVS] = {sizeof(struct lim_long_mapping), "4444211"},
 };
 static const char HEADER_FIELDS[] = "11111111"
                                     "4444"

@@ -256,7 +256,7 @@ static void nodes_that_lie_are_refused(void **state)
 
 /* Mappings ------------------------------------------------------------------------------------ */
 
-enum { PLACES_B = 24, MAPPING_B = 20, MAPPING_PLANE_B = 12, MAPPING_SCALE_B = 17 };
+enum { PLACES_B = 20, MAPPING_B = 20, MAPPING_PLANE_B = 12, MAPPING_SCALE_B = 17 };
 
 /* The first mapping on an axis plane, or on another. */
 static size_t mapping_on(bool axis_plane)
@@ -281,8 +281,7 @@ static void mappings_that_are_written_are_read(void **state)
     for (size_t i = 0; i < 4; i++)
         assert_int_equal(word_at(bytes, place_b(SECTION_UVS, 5, PLACES_B, 4 * i)),
                          (uint32_t)places[5].uv[i / 2][i % 2]);
-    assert_int_equal(word_at(bytes, place_b(SECTION_UVS, 5, PLACES_B, 16)), places[5].vertex);
-    assert_int_equal(word_at(bytes, place_b(SECTION_UVS, 5, PLACES_B, 20)),
+    assert_int_equal(word_at(bytes, place_b(SECTION_UVS, 5, PLACES_B, 16)),
                      (uint16_t)places[5].level_q4 | (uint32_t)places[5].bits << 16);
     if (!lim_file_read(path, &read, &err)) fail_msg("%s", err.text);
     assert_null(*read.scene.uvs);
@@ -304,16 +303,14 @@ static void mappings_that_lie_are_refused(void **state)
         assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 4 * field), 0x80000000u,
                             "mapping 2: a vector is too long");
     }
-    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), scene.scene.vertex_count, "mapping 2: at vertex ");
-    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), UINT32_MAX, "mapping 2: at vertex ");
-    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 20), (level_bits & 0xFFFF) | 15u << 16,
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), (level_bits & 0xFFFF) | 15u << 16,
                         "mapping 2: places of 15 bits");
-    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 20), (level_bits & 0xFFFF) | 63u << 16,
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), (level_bits & 0xFFFF) | 63u << 16,
                         "mapping 2: places of 63 bits");
-    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 20), level_bits | 1u << 24, "mapping 2: 1 where zero is");
-    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 20), (level_bits & 0xFFFF0000u) | 1024,
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), level_bits | 1u << 24, "mapping 2: 1 where zero is");
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), (level_bits & 0xFFFF0000u) | 1024,
                         "mapping 2: no picture has 1024 / 16 levels");
-    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 20), (level_bits & 0xFFFF0000u) | 0x8000,
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), (level_bits & 0xFFFF0000u) | 0x8000,
                         "mapping 2: no picture has -32768 / 16 levels");
     assert_word_refused(place_b(SECTION_MAPPINGS, axis, MAPPING_B, MAPPING_PLANE_B), scene.scene.vertex_count,
                         ": its plane is number ");
