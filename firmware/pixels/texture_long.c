@@ -17,8 +17,8 @@
 
 #if LIM_HAS_TEXTURE && LIM_HAS_LONG
 
-/* What upper halves lack, and planes in any profile; how long the normal of an axis plane is. */
-enum { HALF_BITS = 16, LONG_UPRIGHT_N = 1 << 30 };
+enum { HALF_BITS = 16 };                  /* what upper halves lack, and planes in any profile */
+#define LONG_UPRIGHT_N (INT32_C(1) << 30) /* how long the normal of an axis plane is taken to be */
 
 static inline int32_t whole_product(const int32_t n[3], const struct lim_texture_axis *axis)
 {
