@@ -317,7 +317,7 @@ contact-sheet: $(BUILD)/limner $(BUILD)/contact_sheet packages ## [measure] draw
 # -- The tests: each suite is a list of programs that print TAP --------------------------------------------------------
 
 test_library  := $(BUILD)/host/libtests.a
-test_sources  := $(wildcard $(addprefix tests/,unit/*/*.c golden/*.c extremes/*.c fuzz/*.c exhaustive/exhaustive.c fakes/*.c rigs/*.c))
+test_sources  := $(wildcard $(addprefix tests/,unit/*/*.c golden/*.c extremes/*.c fuzz/*.c exhaustive/exhaustive.c fakes/*.c rigs/*.c rigs/*/*.c))
 test_mains    := $(foreach source,$(test_sources),$(if $(filter test_% soak_%,$(notdir $(source))),$(source)))
 test_programs := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(test_mains)))
 

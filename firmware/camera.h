@@ -58,6 +58,17 @@ struct lim_camera {
 };
 LIM_OPTIONAL_END
 
+/* What ends a camera's initializer, in whichever build: `{{1, 2, 3}, yaw, ..., LIM_CAMERA_END(near_q8, 0, 0, 0)}`. */
+#define LIM_CAMERA_END(near_q8, x, y, z) LIM_CAMERA_END_IF(LIM_HAS_LONG, near_q8, x, y, z)
+#define LIM_CAMERA_END_IF(has, near_q8, x, y, z) LIM_CAMERA_END_IF_(has, near_q8, x, y, z)
+#define LIM_CAMERA_END_IF_(has, near_q8, x, y, z) LIM_CAMERA_END_IF_##has(near_q8, x, y, z)
+#define LIM_CAMERA_END_IF_0(near, x, y, z) LIM_LAST_VALUE(near_q8, near)
+#define LIM_CAMERA_END_IF_1(near, x, y, z)                                                                             \
+    near,                                                                                                              \
+    {                                                                                                                  \
+        x, y, z                                                                                                        \
+    }
+
 /* Where an eye is in such a scene: |at| < 2^30 units, and what is left of one. */
 struct lim_long;
 struct lim_long_eye {

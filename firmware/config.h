@@ -8,8 +8,7 @@
  *   of its own come before (#define LIM_HAS_STATS 1). Compilers without __has_include do not find it.
  *
  * With neither the renderer has all features, for any scene; that works, and is large. Whatever a header leaves open
- * gets the host's generous value here, so every flag is always defined. All files of a program have the same values;
- * agree.h sees to it. */
+ * gets the host's generous value here, so every flag is always defined. agree.h sees that all files agree. */
 
 #if !defined(LIM_CONFIG) && defined(__has_include)
 #if __has_include(<limner_config.h>)
@@ -85,8 +84,7 @@
 #error "LIM_SUB_BITS must be 0..12"
 #endif
 
-/* Either of two flags or both, as a flag: 0 or 1, without an operator. So flags have no comments in their lines, which
- * some preprocessors keep. */
+/* Either of two flags or both, without an operator. So flags' lines have no comments, which some preprocessors keep. */
 #define LIM_BOTH(a, b) LIM_BOTH_OF(a, b)
 #define LIM_BOTH_OF(a, b) LIM_BOTH_##a##b
 #define LIM_BOTH_00 0
@@ -403,14 +401,16 @@
 #define LIM_WORD_ALIGNED
 #endif
 
-/* Around structs that have such members: C++ compilers that are asked to be pedantic have none. C and C++ agree on what
- * they are. */
+/* Around structs that have such members: pedantic C++ has none. The value before an absent one, in an initializer. */
 #if defined(__cplusplus) && defined(__GNUC__)
 #define LIM_OPTIONAL_BEGIN _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wpedantic\"")
 #define LIM_OPTIONAL_END _Pragma("GCC diagnostic pop")
+#define LIM_LAST_VALUE(member, value)                                                                                  \
+    value, {}
 #else
 #define LIM_OPTIONAL_BEGIN
 #define LIM_OPTIONAL_END
+#define LIM_LAST_VALUE(member, value) .member = value
 #endif
 
 /* Memory is cut up in words of four bytes. */

@@ -15,7 +15,7 @@
 #define LIM_LONG_END (INT32_C(1) << 29)     /* |coordinate| of vertices and boxes up to this, units: a span of 2^30 */
 #define LIM_LONG_EYE_END (INT32_C(1) << 30) /* |coordinate| of the eye, rounded down, below this, units */
 #define LIM_LONG_FAR_BITS 32                /* no vertex is 2^this units away from such an eye */
-#define LIM_LONG_NEAR_MAX_Q8 (14000 * 256)  /* lim_camera.near_q8 beyond this is drawn as about this */
+#define LIM_LONG_NEAR_MAX_Q8 (INT32_C(14000) * 256) /* lim_camera.near_q8 beyond this is drawn as about this */
 
 struct lim_long_vertex {
     int32_t at[3]; /* units */

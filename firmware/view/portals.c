@@ -15,7 +15,8 @@
 
 #if LIM_HAS_PORTALS
 
-enum { ROUNDING_UNITS = 4, BALL_MAX_UNITS = 8192, LONG_BALL_MAX_UNITS = 1 << 20 };
+enum { ROUNDING_UNITS = 4, BALL_MAX_UNITS = 8192 };
+#define LONG_BALL_MAX_UNITS (UINT32_C(1) << 20)
 
 /* The near plane in use is at near_q8, or at 2^-16 / min(1, tan_x, tan_y) of far_units, 2^-15 where the lens is long,
  * or at 1 unit (camera.h). The rectangle's corners are sqrt(1 + t) times as far, t = tan_x^2 + tan_y^2, which is less
@@ -31,7 +32,6 @@ uint32_t lim_portals_ball_units(const struct lim_camera *camera, uint32_t far_un
     if (LIM_HAS_TELE && narrow_q12 < LIM_TAN_TELE_Q28 >> 16) narrow_q12 = 2048; /* z has more bits */
     const uint32_t least_units = ((far_units >> 4) + 1) / narrow_q12 + 1;
     if (near_units < least_units) near_units = least_units;
-    if (!LIM_HAS_LONG && near_units > BALL_MAX_UNITS) return BALL_MAX_UNITS + 1;
     return near_units + (near_units * half_q8 >> 8) + 1 + ROUNDING_UNITS;
 }
 

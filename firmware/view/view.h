@@ -25,12 +25,12 @@ struct lim_view_point {
     LIM_OPTIONAL(int8_t, exponent, LIM_HAS_LONG);
 };
 
-/* The near plane, as far as a point's exponent has it; at most 2^31 - 1. */
+/* The near plane, as far as a point's exponent has it; 1 to 2^31 - 1. */
 static inline int32_t lim_view_near(const struct lim_view_point *point, int32_t near_qv)
 {
     if (!LIM_HAS_LONG || !*point->exponent) return near_qv;
     const int_fast8_t down = *point->exponent;
-    if (down > 0) return near_qv >> (down < 31 ? down : 31);
+    if (down > 0) return (near_qv >> (down < 31 ? down : 31)) | 1;
     return near_qv >> (31 + (down > -31 ? down : -31)) ? INT32_MAX : near_qv * (INT32_C(1) << -down);
 }
 

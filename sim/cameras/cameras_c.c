@@ -5,19 +5,14 @@
 
 #include <inttypes.h>
 
-/* By names: what builds for other scenes have more of in a camera is 0. */
-static void write_camera(FILE *file, const struct lim_camera *camera, bool is_long)
+static void write_camera(FILE *file, const struct lim_camera *camera)
 {
-    fprintf(file, "    {.eye_q8 = {%" PRId32 ", %" PRId32 ", %" PRId32 "}, ", camera->eye_q8[0], camera->eye_q8[1],
+    fprintf(file, "    {{%" PRId32 ", %" PRId32 ", %" PRId32 "}, ", camera->eye_q8[0], camera->eye_q8[1],
             camera->eye_q8[2]);
-    fprintf(file, ".yaw = %" PRIu32 "u, .pitch = %" PRIu32 "u, .roll = %" PRIu32 "u, ", camera->yaw, camera->pitch,
-            camera->roll);
-    fprintf(file, ".tan_x_q28 = %" PRIu32 "u, .tan_y_q28 = %" PRIu32 "u, .near_q8 = %" PRId32, camera->tan_x_q28,
-            camera->tan_y_q28, camera->near_q8);
-    if (is_long)
-        fprintf(file, ", .origin = {%" PRId32 ", %" PRId32 ", %" PRId32 "}", camera->origin[0], camera->origin[1],
-                camera->origin[2]);
-    fprintf(file, "},\n");
+    fprintf(file, "%" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u, %" PRIu32 "u, ", camera->yaw, camera->pitch,
+            camera->roll, camera->tan_x_q28, camera->tan_y_q28);
+    fprintf(file, "LIM_CAMERA_END(%" PRId32 ", %" PRId32 ", %" PRId32 ", %" PRId32 ")},\n", camera->near_q8,
+            camera->origin[0], camera->origin[1], camera->origin[2]);
 }
 
 bool cameras_c_write(const struct camera_path *path, const struct lens *lens, const struct grid *grid, unsigned w_px,
@@ -31,7 +26,7 @@ bool cameras_c_write(const struct camera_path *path, const struct lens *lens, co
     for (size_t frame = 0; frame < path->count; frame++) {
         struct lim_camera camera;
         if (!camera_path_to_camera(path, frame, lens, grid, &camera, err)) return false;
-        write_camera(file, &camera, grid->is_long);
+        write_camera(file, &camera);
     }
     fprintf(file, "};\n\n#endif\n");
     return true;

@@ -48,10 +48,6 @@ static void print_outlines(const struct compiled *scene)
 
 static void print_choice(const struct compile_report *report)
 {
-    if (report->choice.replaced)
-        printf("    %-26s %.1f %% of the smallest BSP tree's instructions, %.1f %% of its bytes\n",
-               "chosen:", 100.0 * report->instructions / report->choice.bsp_instructions,
-               100.0 * (double)report->flash_b / (double)report->choice.bsp_flash_b);
     if (report->choice.kind == CHOICE_UNKNOWN)
         printf("    %-26s no cost is predicted where polygons are transparent\n", "chosen:");
     else if (report->choice.kind == CHOICE_LONG)
@@ -61,6 +57,10 @@ static void print_choice(const struct compile_report *report)
                "chosen:", report->reached_a_seen);
     else if (!report->choice.replaced)
         printf("    %-26s no other tree spares a tenth of its instructions\n", "chosen:");
+    else
+        printf("    %-26s %.1f %% of the smallest BSP tree's instructions, %.1f %% of its bytes\n",
+               "chosen:", 100.0 * report->instructions / report->choice.bsp_instructions,
+               100.0 * (double)report->flash_b / (double)report->choice.bsp_flash_b);
 }
 
 /* Trees are compared as filled polygons in profile fast; of other frames that says nothing. */

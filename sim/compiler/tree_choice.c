@@ -20,7 +20,7 @@ static const enum tree_kind OTHERS[] = {TREE_CLUSTERS, TREE_AXIS};
 static const double ENOUGH = 0.9, ALIKE = 0.01; /* of the BSP tree's instructions */
 static const double OTHERS_SHARE = 0.5;         /* of the time: what follows needs some */
 static const double FEW_REACHED = 6.0;          /* polygons for each that is seen */
-static const size_t MANY = 40000;               /* polygons: of a mesh it is rarely a tree that is taken */
+static const size_t MANY = 40000;               /* polygons: what splits much then is a mesh, and takes no tree */
 
 bool tree_choice_parse(const char *text, struct compile_options *out, struct error *err)
 {
@@ -95,12 +95,12 @@ static void choose_tree(struct compilation *work, struct compiled *out)
     const bool is_open = options->trial != TRIAL_NEVER && options->tree == TREE_AUTO;
     if (!is_open || (out->report.draws != LIM_NEAREST_FIRST && out->report.draws != LIM_SCANLINE)) return;
     const struct compile_report *bsp = &out->report;
-    const bool unasked = options->trial == TRIAL_IF_SPLIT;
+    const bool unasked = options->trial == TRIAL_IF_SPLIT, splits_much = compilation_splits_much(bsp);
     if (isnan(bsp->instructions))
         out->report.choice.kind = CHOICE_UNKNOWN;
-    else if (unasked && !compilation_splits_much(bsp) && !reaches_much(bsp))
+    else if (unasked && !splits_much && !reaches_much(bsp))
         out->report.choice.kind = CHOICE_NEEDLESS;
-    else if (unasked && bsp->polygons_in > MANY && !reaches_much(bsp))
+    else if (unasked && splits_much && bsp->polygons_in > MANY)
         out->report.choice.kind = CHOICE_LONG;
     else
         try_others(work, out);

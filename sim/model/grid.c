@@ -5,6 +5,7 @@
 
 #include "base/grow.h"
 #include "long.h"
+#include "model/extent.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -216,16 +217,8 @@ static double least_face_m(const struct model *model)
 {
     double least_m = INFINITY;
     for (size_t i = 0; i < model->face_count; i++) {
-        double longest_m = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double low_m = INFINITY, high_m = -INFINITY;
-            for (uint32_t k = 0; k < model->faces[i].count; k++) {
-                const double at_m = model->points[model->corners[model->faces[i].first + k]][axis];
-                low_m = fmin(low_m, at_m);
-                high_m = fmax(high_m, at_m);
-            }
-            longest_m = fmax(longest_m, high_m - low_m);
-        }
+        const struct model_face *face = &model->faces[i];
+        const double longest_m = extent_longest_side(model->points, model->corners + face->first, face->count);
         if (longest_m > 0) least_m = fmin(least_m, longest_m);
     }
     return least_m;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/float_step.h"
 
+#include "model/extent.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -14,24 +16,10 @@ double float_step_at(double magnitude)
     return ldexp(1, (exponent > least ? exponent : least) - (FLT_MANT_DIG - 1));
 }
 
-static double longest_side_m(const struct model *model)
-{
-    double longest_m = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        double low_m = INFINITY, high_m = -INFINITY;
-        for (size_t i = 0; i < model->corner_count; i++) {
-            low_m = fmin(low_m, model->points[model->corners[i]][axis]);
-            high_m = fmax(high_m, model->points[model->corners[i]][axis]);
-        }
-        longest_m = fmax(longest_m, high_m - low_m);
-    }
-    return longest_m;
-}
-
 void float_step_note(struct model *model, double step_m)
 {
     char text[sizeof model->notice];
-    const double unit_m = longest_side_m(model) / GRID_SPAN_UNITS;
+    const double unit_m = extent_longest_side(model->points, model->corners, model->corner_count) / GRID_SPAN_UNITS;
     if (!(step_m * PARTS_OF_A_UNIT > unit_m)) return;
     snprintf(text, sizeof text,
              "its vertices come as float32 numbers, which are %.3g m apart as far out as they are: more than 1/16 of "

@@ -6,7 +6,7 @@
 #
 # A row, divided by blanks: map; faces, polygons, splits, bytes of the scene in flash, those of its textures, RAM in bytes, instructions of
 # a mean frame on Cortex-M4F, wrong pixels in %, holes, errors of order, seconds of a processor that compiling took, its memory in MB; the
-# same figures without textures. Eight cameras at random in free space, 240x240, profile fast.
+# same figures without textures, from other cameras. Eight cameras at random in free space, 240x240, profile fast.
 set -eu
 
 : "${BUILD:=build}" "${LEVELS:=}"
@@ -34,10 +34,12 @@ is_done() { # ROW
     [ -s "$1" ] && [ -z "$(find firmware sim/base sim/cameras sim/compiler sim/levels sim/model sim/readers sim/scene sim/trees -name '*.[ch]' -newer "$1" -print -quit)" ]
 }
 
-# Twelve figures.
-figures() { # MODEL OPTION...
+# Twelve figures, from cameras of their own.
+figures() { # SEED MODEL OPTION...
+    seed=$1
+    shift
     "$BUILD/limner" compile "$@" --report >"$work/report" 2>"$work/said" || { cat "$work/said" >&2; return 1; }
-    "$BUILD/limner" measure "$@" --precision fast --core m4 --camera random:1:8 -o "$work/measured" >"$work/said" 2>&1 ||
+    "$BUILD/limner" measure "$@" --precision fast --core m4 --camera "random:$seed:8" -o "$work/measured" >"$work/said" 2>&1 ||
         { cat "$work/said" >&2; return 1; }
     awk '/^  faces in the model/ { faces = $NF } /^  polygons in the scene/ { polygons = $NF } /^  splits/ { splits = $NF }
         /^  in all/ { flash = $3 } /^    of these textures/ { textures = $4 }
@@ -56,7 +58,7 @@ while read -r model; do
     row=$rows/${model#*:}
     if ! is_done "$row"; then
         echo "${model##*/}" >&2
-        { printf '%s' "${model#*:}" && figures "$model" && figures "$model" --no-textures && echo; } >"$work/row" </dev/null || exit 1
+        { printf '%s' "${model#*:}" && figures 1 "$model" && figures 2 "$model" --no-textures && echo; } >"$work/row" </dev/null || exit 1
         mv "$work/row" "$row"
     fi
     cat "$row"

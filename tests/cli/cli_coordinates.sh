@@ -128,9 +128,8 @@ cameras_are_where_the_file_says() {
     awk '$1 == "#define" && $2 == "MANY_UNITS_PER_M" { scale = $3 }
         $1 == "#define" && $2 ~ /^MANY_ORIGIN_[XYZ]_M$/ { origin[++axes] = $3 }
         FILENAME ~ /cam$/ { count++; for (i = 1; i <= 3; i++) metres[count, i] = $i }
-        /^    \{\.eye/ {
+        /^    \{\{/ {
             frame++
-            gsub(/\.[a-z0-9_]+ =/, " ")
             gsub(/[^-0-9]+/, " ")
             if (split($0, number, " ") != 12) bad = 1
             for (i = 1; i <= 3; i++) {

@@ -2,7 +2,7 @@
  *
  * The screen between renderer and panel: whole frames in one window, pieces where they belong,
  * and no line touched while it may still be on its way. */
-#include "rigs/dcs_rig.h"
+#include "rigs/panels/dcs_rig.h"
 
 /* What a frame costs on the bus: CASET 5, RASET 5, RAMWR 1 and the pixels. */
 static void whole_frame_travels_in_one_window(void **state)

@@ -2,7 +2,7 @@
  *
  * Lines that wait for the bus: however fast it is, they come in order, are not painted over before they have left, and
  * go out together; meanwhile something else is done. The emulated bus reads data as late as it may. */
-#include "rigs/dcs_rig.h"
+#include "rigs/panels/dcs_rig.h"
 #include "rigs/random.h"
 
 #include <limits.h>

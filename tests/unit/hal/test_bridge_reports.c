@@ -7,8 +7,8 @@
  * where it is committed. */
 #include "golden/golden_stage.h"
 #include "hid/mcp2210.h"
-#include "rigs/bridge_rig.h"
 #include "rigs/cmocka_ready.h"
+#include "rigs/panels/bridge_rig.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #include "mcu/stm32f1_rcc.h"
 #include "mcu/stm32f4_rcc.h"
 #include "rigs/cmocka_ready.h"
-#include "rigs/watched_registers.h"
+#include "rigs/panels/watched_registers.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
  * The ST7789 driver against the emulated chip: what is drawn is what the viewer of each module
  * sees, however it is turned, without a complaint about the protocol; and an error of the port at
  * any call comes through unchanged and leaves nothing behind. */
-#include "rigs/dcs_rig.h"
+#include "rigs/panels/dcs_rig.h"
 
 /* A picture turned clockwise by r quarters has its first corner at the glass's corner r. */
 static void check_rotations(struct dcs_make module)

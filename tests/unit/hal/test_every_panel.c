@@ -4,7 +4,7 @@
  * formats, rotations and mirrors, in one piece and in many; whatever goes wrong with any call of the port comes through
  * unchanged, and the next frame is right; hal/PANELS.md says what it is. */
 #include "rigs/cmocka_ready.h"
-#include "rigs/panel_rig.h"
+#include "rigs/panels/panel_rig.h"
 
 #include <ctype.h>
 #include <stdio.h>

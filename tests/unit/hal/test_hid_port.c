@@ -5,8 +5,8 @@
 #include "fakes/fake_hidapi.h"
 #include "hid/hid_bridges.h"
 #include "hid/hid_port.h"
-#include "rigs/bridge_rig.h"
 #include "rigs/cmocka_ready.h"
+#include "rigs/panels/bridge_rig.h"
 
 #include <errno.h>
 #include <stdio.h>

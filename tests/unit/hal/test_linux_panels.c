@@ -6,7 +6,7 @@
 #include "linux/linux_port.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
-#include "rigs/panel_rig.h"
+#include "rigs/panels/panel_rig.h"
 
 #include <errno.h>
 

@@ -4,8 +4,8 @@
  * drivers are those of a display at a port of its own; reports are as few as they can be; whatever happens to any one
  * report comes through as an error, nothing hangs, and the next frame is right. */
 #include "hid/mcp2210.h"
-#include "rigs/bridge_rig.h"
 #include "rigs/cmocka_ready.h"
+#include "rigs/panels/bridge_rig.h"
 
 #include <errno.h>
 #include <string.h>

@@ -16,7 +16,7 @@
 #include "mcu/systick.h"
 #include "mcu/wait.h"
 #include "rigs/cmocka_ready.h"
-#include "rigs/watched_registers.h"
+#include "rigs/panels/watched_registers.h"
 
 #include <string.h>
 

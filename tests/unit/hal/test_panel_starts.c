@@ -6,7 +6,7 @@
  * anew. */
 #include "panels.h"
 #include "rigs/cmocka_ready.h"
-#include "rigs/panel_rig.h"
+#include "rigs/panels/panel_rig.h"
 
 #include <stdarg.h>
 #include <stdio.h>

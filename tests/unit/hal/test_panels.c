@@ -2,7 +2,7 @@
  *
  * The packing of pixels, against formulas of its own; and what single chips of the DCS family have beside what
  * test_every_panel.c shows of all. */
-#include "rigs/dcs_rig.h"
+#include "rigs/panels/dcs_rig.h"
 
 #include <math.h>
 

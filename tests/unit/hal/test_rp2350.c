@@ -8,7 +8,7 @@
 #include "mcu/rp2350_dma.h"
 #include "mcu/rp2350_gpio.h"
 #include "rigs/cmocka_ready.h"
-#include "rigs/watched_registers.h"
+#include "rigs/panels/watched_registers.h"
 
 #define STABLE (UINT32_C(1) << 31)
 #define AT(type, member) offsetof(struct type, member)

@@ -2,7 +2,7 @@
  *
  * The tearing-effect output: frames begin with the glass's refresh and run with it, a bounded time is waited, and a
  * refresh that does not tell its start is no error but is counted. */
-#include "rigs/dcs_rig.h"
+#include "rigs/panels/dcs_rig.h"
 
 enum { REFRESH_US = 20000 };
 

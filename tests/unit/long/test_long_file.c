@@ -7,6 +7,7 @@
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
+#include "rigs/lim_bytes.h"
 #include "rigs/profiles.h"
 #include "rigs/texture_rig.h"
 #include "scene/lim_check.h"
@@ -69,32 +70,6 @@ static int teardown(void **state)
     return rmdir(folder);
 }
 
-static unsigned char *written_bytes(void)
-{
-    struct error err;
-
-    if (!lim_file_write(&scene, path, &err)) fail_msg("%s", err.text);
-    unsigned char *bytes = malloc(scene.image_b);
-    FILE *file = fopen(path, "rb");
-    assert_true(bytes && file);
-    assert_int_equal(fread(bytes, 1, scene.image_b, file), scene.image_b);
-    fclose(file);
-    return bytes;
-}
-
-/* With a right checksum. */
-static void write_bytes(unsigned char *bytes)
-{
-    const uint32_t crc32 = lim_image_crc32(bytes, scene.image_b);
-    FILE *file = fopen(path, "wb");
-
-    for (int i = 0; i < 4; i++)
-        bytes[20 + i] = (unsigned char)(crc32 >> 8 * i);
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, scene.image_b, file), scene.image_b);
-    fclose(file);
-}
-
 static uint32_t word_at(const unsigned char *bytes, size_t at_b)
 {
     return bytes[at_b] | (uint32_t)bytes[at_b + 1] << 8 | (uint32_t)bytes[at_b + 2] << 16 |
@@ -112,7 +87,7 @@ static void what_is_written_is_read(void **state)
     struct error err;
 
     (void)state;
-    free(written_bytes());
+    free(lim_bytes_of(&scene, path));
     if (!lim_file_read(path, &read, &err)) fail_msg("%s", err.text);
     assert_int_equal(read.image_b, scene.image_b);
     assert_memory_equal((char *)read.image + LIM_FILE_CRC_FROM_B, (char *)scene.image + LIM_FILE_CRC_FROM_B,
@@ -134,7 +109,7 @@ static void what_is_written_is_read(void **state)
 /* The bytes as firmware/SCENE.md has them, whatever the host's byte order. */
 static void the_file_says_32_bits_and_has_them(void **state)
 {
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     const struct lim_long *all = lim_scene_long(&scene.scene);
 
     (void)state;
@@ -173,13 +148,14 @@ static void swapping_undoes_itself(void **state)
 
 static void assert_word_refused(size_t at_b, uint32_t value, const char *reason)
 {
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     struct compiled read;
     struct error err = {"accepted"};
 
     for (int i = 0; i < 4; i++)
         bytes[at_b + (size_t)i] = (unsigned char)(value >> 8 * i);
-    write_bytes(bytes);
+    lim_bytes_sign(bytes, scene.image_b);
+    lim_bytes_write(bytes, scene.image_b, path);
     const bool ok = lim_file_read(path, &read, &err);
     compiled_free(&read);
     assert_false(ok);
@@ -351,7 +327,7 @@ static void draw_everything(const struct compiled *read, struct random *random)
 static void damage_is_refused_or_harmless(void **state)
 {
     struct random random = {181};
-    unsigned char *whole = written_bytes(), *bytes = malloc(scene.image_b);
+    unsigned char *whole = lim_bytes_of(&scene, path), *bytes = malloc(scene.image_b);
     int accepted = 0;
 
     (void)state;
@@ -362,7 +338,8 @@ static void damage_is_refused_or_harmless(void **state)
         memcpy(bytes, whole, scene.image_b);
         for (int64_t changes = random_in(&random, 1, 3); changes > 0; changes--)
             bytes[random_in(&random, 24, (int64_t)scene.image_b - 1)] = (unsigned char)random_u64(&random);
-        write_bytes(bytes);
+        lim_bytes_sign(bytes, scene.image_b);
+        lim_bytes_write(bytes, scene.image_b, path);
         if (!lim_file_read(path, &read, &err)) continue;
         accepted++;
         draw_everything(&read, &random);

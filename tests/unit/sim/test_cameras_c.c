@@ -37,12 +37,11 @@ static void header_holds_size_count_and_fixed_point_cameras(void **state)
     char *text = header_of(viewpoints, 2, &err);
     assert_non_null(text);
     assert_non_null(strstr(text, "#define CAMERAS_W_PX 240\n#define CAMERAS_H_PX 120\n#define CAMERAS_COUNT 2\n"));
-    assert_non_null(strstr(text, "= {\n"
-                                 "    {.eye_q8 = {256000, 512000, 768000}, .yaw = 0u, .pitch = 0u, .roll = 0u, "
-                                 ".tan_x_q28 = 268435456u, .tan_y_q28 = 134217728u, .near_q8 = 25600},\n"
-                                 "    {.eye_q8 = {-256000, 0, 0}, .yaw = 1073741824u, .pitch = 0u, .roll = 0u, "
-                                 ".tan_x_q28 = 268435456u, .tan_y_q28 = 134217728u, .near_q8 = 25600},\n"
-                                 "};\n"));
+    assert_non_null(strstr(
+        text, "= {\n"
+              "    {{256000, 512000, 768000}, 0u, 0u, 0u, 268435456u, 134217728u, LIM_CAMERA_END(25600, 0, 0, 0)},\n"
+              "    {{-256000, 0, 0}, 1073741824u, 0u, 0u, 268435456u, 134217728u, LIM_CAMERA_END(25600, 0, 0, 0)},\n"
+              "};\n"));
     free(text);
 }
 

@@ -2,7 +2,7 @@
  *
  * An emulated chip itself, an ST7789, fed by hand: each violation of the protocol is noticed, once, and
  * called by its name; formats, windows and resets do what the datasheet says. */
-#include "rigs/dcs_rig.h"
+#include "rigs/panels/dcs_rig.h"
 
 /* The chip below the driver: bytes by hand. */
 static void chip_start(bool awake)

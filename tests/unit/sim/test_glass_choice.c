@@ -6,7 +6,7 @@
 #include "displays/module_choice.h"
 #include "glass/glass_choice.h"
 #include "rigs/cmocka_ready.h"
-#include "rigs/panel_rig.h"
+#include "rigs/panels/panel_rig.h"
 
 #include <stdio.h>
 

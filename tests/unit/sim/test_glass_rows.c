@@ -5,7 +5,7 @@
  * turned, and mirrored where the chip can. */
 #include "displays/module_choice.h"
 #include "rigs/cmocka_ready.h"
-#include "rigs/panel_rig.h"
+#include "rigs/panels/panel_rig.h"
 
 #include <glob.h>
 #include <regex.h>

@@ -4,6 +4,7 @@
  * accepted can lead a reader out of its arrays. */
 #include "compiler/compile_mesh.h"
 #include "rigs/cmocka_ready.h"
+#include "rigs/lim_bytes.h"
 #include "rigs/mesh_rig.h"
 #include "scene/lim_check.h"
 #include "scene/lim_image.h"
@@ -48,28 +49,6 @@ static int teardown(void **state)
     return rmdir(folder);
 }
 
-/* The file's bytes, freshly written. The caller frees them. */
-static unsigned char *written_bytes(void)
-{
-    struct error err;
-    if (!lim_file_write(&scene, path, &err)) fail_msg("%s", err.text);
-    unsigned char *bytes = malloc(scene.image_b);
-    FILE *file = fopen(path, "rb");
-    assert_true(bytes && file);
-    assert_int_equal(fread(bytes, 1, scene.image_b, file), scene.image_b);
-    assert_int_equal(fgetc(file), EOF);
-    fclose(file);
-    return bytes;
-}
-
-static void write_bytes(const unsigned char *bytes, size_t count)
-{
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, count, file), count);
-    fclose(file);
-}
-
 static bool reads(struct error *err)
 {
     struct compiled read;
@@ -87,19 +66,12 @@ static void assert_unreadable(const char *reason)
     if (!strstr(err.text, reason)) fail_msg("'%s' lacks '%s'", err.text, reason);
 }
 
-static void put_crc32(unsigned char *bytes)
-{
-    uint32_t crc32 = lim_image_crc32(bytes, scene.image_b);
-    for (int i = 0; i < 4; i++)
-        bytes[20 + i] = (unsigned char)(crc32 >> 8 * i);
-}
-
 static void what_is_written_is_read(void **state)
 {
     (void)state;
     struct compiled read;
     struct error err;
-    free(written_bytes());
+    free(lim_bytes_of(&scene, path));
     if (!lim_file_read(path, &read, &err)) fail_msg("%s", err.text);
     assert_int_equal(read.image_b, scene.image_b);
     assert_memory_equal((char *)read.image + LIM_FILE_CRC_FROM_B, (char *)scene.image + LIM_FILE_CRC_FROM_B,
@@ -116,7 +88,7 @@ static void what_is_written_is_read(void **state)
 static void the_file_is_little_endian(void **state)
 {
     (void)state;
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     const unsigned char start[] = {0x89, 'L', 'I', 'M', '\r', '\n', 0x1A, '\n', 12, 0, 0, 0, 152, 0, 0, 0};
     assert_memory_equal(bytes, start, sizeof start);
     assert_int_equal(bytes[16] | bytes[17] << 8 | bytes[18] << 16, scene.image_b);
@@ -155,9 +127,9 @@ static void files_that_are_no_scenes_are_refused(void **state)
     (void)state;
     unlink(path);
     assert_unreadable("No such file");
-    write_bytes((const unsigned char *)"", 0);
+    lim_bytes_write((const unsigned char *)"", 0, path);
     assert_unreadable("empty file");
-    write_bytes((const unsigned char *)"v 0 0 0\nv 1 0 0\n", 16);
+    lim_bytes_write((const unsigned char *)"v 0 0 0\nv 1 0 0\n", 16, path);
     assert_unreadable("not a Limner scene");
     unlink(path);
     assert_int_equal(mkdir(path, 0777), 0);
@@ -168,12 +140,12 @@ static void files_that_are_no_scenes_are_refused(void **state)
 static void files_cut_short_are_refused_at_any_length(void **state)
 {
     (void)state;
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     for (size_t count = 1; count < scene.image_b; count += count < 200 ? 1 : 97) {
-        write_bytes(bytes, count);
+        lim_bytes_write(bytes, count, path);
         assert_unreadable("truncated");
     }
-    write_bytes(bytes, scene.image_b);
+    lim_bytes_write(bytes, scene.image_b, path);
     FILE *file = fopen(path, "ab");
     assert_non_null(file);
     fputc(0, file);
@@ -185,9 +157,9 @@ static void files_cut_short_are_refused_at_any_length(void **state)
 static void other_versions_are_refused_by_number(void **state)
 {
     (void)state;
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     bytes[8] = LIM_FILE_VERSION + 1;
-    write_bytes(bytes, scene.image_b);
+    lim_bytes_write(bytes, scene.image_b, path);
     assert_unreadable("version 13; this program reads version 12");
     free(bytes);
 }
@@ -196,11 +168,11 @@ static void other_versions_are_refused_by_number(void **state)
 static void any_flipped_bit_is_noticed(void **state)
 {
     (void)state;
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     struct error err;
     for (size_t bit = 0; bit < scene.image_b * 8; bit += bit < 152 * 8 ? 1 : 397) {
         bytes[bit / 8] ^= (unsigned char)(1 << bit % 8);
-        write_bytes(bytes, scene.image_b);
+        lim_bytes_write(bytes, scene.image_b, path);
         assert_false(reads(&err));
         bytes[bit / 8] ^= (unsigned char)(1 << bit % 8);
     }
@@ -212,11 +184,11 @@ static void any_flipped_bit_is_noticed(void **state)
 /* The file with one 16-bit field changed is refused for the reason. */
 static void assert_field_refused(size_t at_b, uint16_t value, const char *reason)
 {
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     bytes[at_b] = (unsigned char)value;
     bytes[at_b + 1] = (unsigned char)(value >> 8);
-    put_crc32(bytes);
-    write_bytes(bytes, scene.image_b);
+    lim_bytes_sign(bytes, scene.image_b);
+    lim_bytes_write(bytes, scene.image_b, path);
     assert_unreadable(reason);
     free(bytes);
 }
@@ -224,11 +196,11 @@ static void assert_field_refused(size_t at_b, uint16_t value, const char *reason
 /* The same for a field of 32 bits: an index, or a word of a polygon. */
 static void assert_index_refused(size_t at_b, lim_index value, const char *reason)
 {
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     for (int i = 0; i < 4; i++)
         bytes[at_b + (size_t)i] = (unsigned char)(value >> 8 * i);
-    put_crc32(bytes);
-    write_bytes(bytes, scene.image_b);
+    lim_bytes_sign(bytes, scene.image_b);
+    lim_bytes_write(bytes, scene.image_b, path);
     assert_unreadable(reason);
     free(bytes);
 }
@@ -379,11 +351,11 @@ static void an_axis_plane_of_a_record_lies_in_the_grid(void **state)
 
 static void assert_d_refused(size_t exact, int64_t d)
 {
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     for (int i = 0; i < 8; i++) /* the high half comes first */
         bytes[at_b(SECTION_EXACT, exact, 20, 12) + (size_t)(i ^ 4)] = (unsigned char)((uint64_t)d >> 8 * i);
-    put_crc32(bytes);
-    write_bytes(bytes, scene.image_b);
+    lim_bytes_sign(bytes, scene.image_b);
+    lim_bytes_write(bytes, scene.image_b, path);
     assert_unreadable("out of bounds");
     free(bytes);
 }
@@ -391,13 +363,13 @@ static void assert_d_refused(size_t exact, int64_t d)
 /* The index of an exact plane is there twice. */
 static void assert_exact_refused(size_t plane, lim_index exact)
 {
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     for (int i = 0; i < 4; i++)
         bytes[at_b(SECTION_PLANES, plane, 16, 12) + (size_t)i] = (unsigned char)(exact >> 8 * i);
     for (int i = 0; i < 2; i++)
         bytes[at_b(SECTION_PLANES, plane, 16, 4) + (size_t)i] = (unsigned char)(exact >> 8 * i);
-    put_crc32(bytes);
-    write_bytes(bytes, scene.image_b);
+    lim_bytes_sign(bytes, scene.image_b);
+    lim_bytes_write(bytes, scene.image_b, path);
     assert_unreadable(": exact plane ");
     free(bytes);
 }
@@ -718,15 +690,15 @@ static void damage_is_refused_or_harmless(void **state)
 {
     (void)state;
     struct random random = {77};
-    unsigned char *whole = written_bytes(), *bytes = malloc(scene.image_b);
+    unsigned char *whole = lim_bytes_of(&scene, path), *bytes = malloc(scene.image_b);
     assert_non_null(bytes);
     int accepted = 0;
     for (int i = 0; i < 1500; i++) {
         memcpy(bytes, whole, scene.image_b);
         for (int64_t changes = random_in(&random, 1, 3); changes > 0; changes--)
             bytes[random_in(&random, 24, (int64_t)scene.image_b - 1)] = (unsigned char)random_u64(&random);
-        put_crc32(bytes);
-        write_bytes(bytes, scene.image_b);
+        lim_bytes_sign(bytes, scene.image_b);
+        lim_bytes_write(bytes, scene.image_b, path);
         struct compiled read;
         struct error err;
         if (!lim_file_read(path, &read, &err)) continue;

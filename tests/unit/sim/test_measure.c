@@ -165,7 +165,7 @@ static void the_table_names_what_is_dominated(void **state)
 {
     struct measure_row rows[] = {row(&core_draft, 9, 100), row(&core_fast, 4, 120), row(&core_fine, 4, 130)};
     const struct measure_cpu *cpus[] = {measure_cpu_find("m4")};
-    struct measure_table table = {"rooms", 8, 8, cpus, 1, NULL, rows, 3, {.count = 0}, NULL};
+    struct measure_table table = {"rooms", 8, 8, {16, 0.5, 100.0, 0.25}, cpus, 1, NULL, rows, 3, {.count = 0}, NULL};
     char text[8192];
 
     (void)state;
@@ -176,13 +176,17 @@ static void the_table_names_what_is_dominated(void **state)
     print(&table, measure_table_markdown, text, sizeof text);
     assert_non_null(strstr(text, "| dominated by fast |"));
     assert_non_null(strstr(text, "## Cortex-M4F"));
+    assert_non_null(strstr(text,
+                           "\nScales: the model is 100 m long, its smallest surface 0.25 m, 1 to 400. Coordinates "
+                           "have 16 bits, a unit is 0.5 m.\n"));
 }
 
 static void csv_has_as_many_fields_in_every_line(void **state)
 {
     struct measure_row rows[] = {row(&core_draft, 9, 100), row(&core_fast, 4, 120)};
     const struct measure_cpu *cpus[] = {measure_cpu_find("m4")};
-    struct measure_table table = {"a \"big\", blue room", 8, 8, cpus, 1, NULL, rows, 2, {.count = 0}, NULL};
+    struct measure_table table = {"a \"big\", blue room", 8,   8, {32, 0.001, 5000.0, 0.0}, cpus, 1, NULL, rows, 2,
+                                  {.count = 0},           NULL};
     char text[4096];
 
     (void)state;

@@ -4,7 +4,7 @@
  * glass shows; when a frame ends; whose bytes are whose; and who is held to the chip's waits. */
 #include "glass/wire_log.h"
 #include "rigs/cmocka_ready.h"
-#include "rigs/panel_rig.h"
+#include "rigs/panels/panel_rig.h"
 
 #include <inttypes.h>
 #include <stdio.h>

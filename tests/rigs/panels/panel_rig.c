@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * What is expected is computed from the definition of each format, in floating point: it shares nothing with hal/. */
-#include "panel_rig.h"
+#include "rigs/panels/panel_rig.h"
 
-#include "cmocka_ready.h"
+#include "rigs/cmocka_ready.h"
 
 #include <math.h>
 #include <stdlib.h>

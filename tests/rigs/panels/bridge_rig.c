@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "bridge_rig.h"
+#include "rigs/panels/bridge_rig.h"
 
-#include "cmocka_ready.h"
+#include "rigs/cmocka_ready.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _GNU_SOURCE /* REG_ERR and REG_EFL */
-#include "watched_registers.h"
+#include "rigs/panels/watched_registers.h"
 
 #include <signal.h>
 #include <stdlib.h>

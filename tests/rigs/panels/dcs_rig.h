@@ -7,10 +7,10 @@
 #ifndef TESTS_DCS_RIG_H
 #define TESTS_DCS_RIG_H
 
-#include "cmocka_ready.h"
 #include "fakes/fault_port.h"
 #include "glass/emulated_dcs.h"
 #include "panels.h"
+#include "rigs/cmocka_ready.h"
 #include "screen.h"
 #include "test_card.h"
 
