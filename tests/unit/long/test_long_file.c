@@ -247,7 +247,7 @@ static void mappings_that_are_written_are_read(void **state)
 {
     struct compiled read;
     struct error err;
-    unsigned char *bytes = written_bytes();
+    unsigned char *bytes = lim_bytes_of(&scene, path);
     const size_t count = scene.scene.mapping_count;
     const struct lim_long_mapping *places = lim_scene_long(&scene.scene)->mappings;
 
