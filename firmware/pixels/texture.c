@@ -51,7 +51,8 @@ static void texture_set_axes(struct lim_texturing *texturing, const struct lim_c
         const int32_t mantissa_q31 = texture_mantissa_of(tans_q28[i], sides_px[i], &bits);
         texturing->axis_bits[i] = LIM_HAS_LIMBS ? bits : (int8_t)(-shorter);
         for (uint_fast8_t k = (uint_fast8_t)(3 * i), end = (uint_fast8_t)(k + 3); k < end; k++)
-            axes_q30[k] = moved(mul_high_s32(camera_q30[k], mantissa_q31) * 2, LIM_HAS_LIMBS ? 0 : bits + shorter);
+            axes_q30[k] =
+                lim_texture_scaled(mul_high_s32(camera_q30[k], mantissa_q31) * 2, LIM_HAS_LIMBS ? 0 : bits + shorter);
     }
     texturing->axis_bits[2] = (int8_t)(-shorter);
     for (uint_fast8_t k = 6; k < 9; k++)
@@ -69,7 +70,7 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
     texturing->far_bits = (uint8_t)(32 - clz_u32(view->rows.far_units));
     if (LIM_HAS_LONG && lim_scene_long(scene)) {
         texturing->far_bits = LIM_LONG_FAR_BITS;
-        texturing->far = view->rows.eye;
+        *texturing->far = view->rows.eye;
     } else {
         for (uint_fast8_t i = 0; i < LIM_TEXTURE_AXES; i++) {
             const int32_t at_q8 = camera->eye_q8[i % 3];
@@ -123,7 +124,7 @@ static inline void times(struct lim_texture_plane *plane, int32_t by_q31)
 static inline int32_t depth_min_of(struct height height, int8_t depth_bits, uint8_t far_bits)
 {
     const int_fast16_t bits = (int_fast16_t)(far_bits - height.bits - 7 - depth_bits);
-    const int32_t least = bits <= 1 ? INT32_C(1) << 29 : moved(height.mantissa, bits);
+    const int32_t least = bits <= 1 ? INT32_C(1) << 29 : lim_texture_scaled(height.mantissa, bits);
 
     return least < 1 ? 1 : least;
 }

@@ -30,7 +30,7 @@ struct seen {
 void lim_texture_see_long(const struct lim_texturing *texturing, uint16_t number, struct seen *seen);
 
 /* x / 2^bits, or what of it 32 bits hold. */
-static inline int32_t moved(int32_t x, int_fast16_t bits)
+static inline int32_t lim_texture_scaled(int32_t x, int_fast16_t bits)
 {
     return bits >= 0 ? x >> (bits < 31 ? bits : 31) : (int32_t)((uint32_t)x << -bits);
 }
@@ -57,8 +57,9 @@ static inline int32_t normal_q15(const int16_t n[3], const struct lim_texture_ax
 static inline uint32_t most_of(const struct lim_texturing *texturing, const struct lim_texture_plane *plane)
 {
     return (abs_s32(plane->at) >> 12) + 3 +
-           (uint32_t)moved((int32_t)(abs_s32(plane->x) >> 12) * 3 * texturing->w_px, texturing->axis_bits[0]) +
-           (uint32_t)moved((int32_t)(abs_s32(plane->y) >> 12) * texturing->h_px, texturing->axis_bits[1]);
+           (uint32_t)lim_texture_scaled((int32_t)(abs_s32(plane->x) >> 12) * 3 * texturing->w_px,
+                                        texturing->axis_bits[0]) +
+           (uint32_t)lim_texture_scaled((int32_t)(abs_s32(plane->y) >> 12) * texturing->h_px, texturing->axis_bits[1]);
 }
 
 /* Scales planes until the larger one fills PLANE_BITS, and says by how many bits. Without limbs they are left as they
@@ -73,9 +74,9 @@ static inline int8_t fill_bits(const struct lim_texturing *texturing, struct lim
         most |= most_of(texturing, &planes[i]);
     const int8_t bits = (int8_t)(clz_u32(most) - (32 - PLANE_BITS + 12));
     for (uint_fast8_t i = 0; i < count; i++) {
-        planes[i].at = moved(planes[i].at, -bits);
-        planes[i].x = moved(planes[i].x, texturing->axis_bits[0] - bits);
-        planes[i].y = moved(planes[i].y, texturing->axis_bits[1] - bits);
+        planes[i].at = lim_texture_scaled(planes[i].at, -bits);
+        planes[i].x = lim_texture_scaled(planes[i].x, texturing->axis_bits[0] - bits);
+        planes[i].y = lim_texture_scaled(planes[i].y, texturing->axis_bits[1] - bits);
     }
     return bits;
 }
