@@ -17,6 +17,9 @@ void lim_eye_set(struct lim_eye *eye, const struct lim_scene *scene, const int32
  * and a box that holds a box as it is seen from the eye, in units that make it fit. */
 bool lim_eye_set_long(struct lim_eye *eye, const struct lim_scene *scene, const struct lim_camera *camera);
 int32_t lim_eye_long_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref);
+/* n . (e - v) - rest of a plane at its vertex, rounded down; what is left goes to *fraction_q8. */
+int64_t lim_eye_long_value(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
+                           const LIM_FLASH struct lim_long_vertex *vertex, uint8_t *fraction_q8);
 void lim_eye_long_box(const struct lim_eye *eye, const LIM_FLASH struct lim_long_box *box, struct lim_box *out);
 
 /* How far in front of a long scene's plane the eye is, rounded down, in parts of a unit: a unit's distance is *length

@@ -60,9 +60,9 @@ void lim_camera_carry(struct lim_camera *camera)
     }
 }
 
-/* n . (e - v) - rest, rounded down; what is left goes to *fraction_q8. It is below 3 * 2^30 * 1.5 * 2^30 < 2^63. */
-static int64_t long_value(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
-                          const LIM_FLASH struct lim_long_vertex *vertex, uint8_t *fraction_q8)
+/* It is below 3 * 2^30 * 1.5 * 2^30 < 2^63. */
+int64_t lim_eye_long_value(const struct lim_long_eye *eye, const LIM_FLASH struct lim_long_plane *plane,
+                           const LIM_FLASH struct lim_long_vertex *vertex, uint8_t *fraction_q8)
 {
     int64_t whole = -(int64_t)plane->rest, rest_q8 = 0;
 
@@ -78,7 +78,7 @@ static LIM_RARE int32_t exact_long_side(const struct lim_long_eye *eye, const LI
                                         const LIM_FLASH struct lim_long_vertex *vertex)
 {
     uint8_t fraction_q8;
-    const int64_t whole = long_value(eye, plane, vertex, &fraction_q8);
+    const int64_t whole = lim_eye_long_value(eye, plane, vertex, &fraction_q8);
 
     return whole ? (whole > 0) - (whole < 0) : fraction_q8 != 0;
 }
@@ -134,7 +134,7 @@ int64_t lim_eye_long_distance(const struct lim_eye *eye, const LIM_FLASH struct 
         return from->at[ref->plane & 3] - all->vertices[(lim_index)ref->offset].at[ref->plane & 3];
     const LIM_FLASH struct lim_long_plane *plane = &all->planes[ref->plane];
     *length = abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]);
-    return long_value(from, plane, &all->vertices[plane->vertex], &fraction_q8);
+    return lim_eye_long_value(from, plane, &all->vertices[plane->vertex], &fraction_q8);
 }
 
 void lim_eye_long_box(const struct lim_eye *eye, const LIM_FLASH struct lim_long_box *box, struct lim_box *out)

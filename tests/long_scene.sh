@@ -43,3 +43,19 @@ long_scene() { # NAME [ALPHA]
             }
         }'
 }
+
+# The same with pictures: textured_long_scene NAME PICTURE [MASKED] shows one each 2 m on the ground, and one on each side of a
+# box; on a third of the boxes, if it is named, the other one, of which parts may be clear.
+textured_long_scene() { # NAME PICTURE [MASKED]
+    long_scene "$1" && cp "$2" ${3:+"$3"} "$(dirname "$1")" &&
+        awk -v picture="$(basename "$2")" -v masked="$(basename "${3:-$2}")" '
+            /^newmtl/ { material = $2 }
+            /^d / { next }
+            /^Kd/ { print "Kd 1 1 1\nmap_Kd " (material == "glass" ? masked : picture); next }
+            { print }' "$1.mtl" >"$1.lit" && mv "$1.lit" "$1.mtl" &&
+        awk '
+            BEGIN { places = "0 0;1 0;1 1;0 1;0 0;120000 0;120000 120000;0 120000"; n = split(places, at, ";")
+                    for (i = 1; i <= n; i++) print "vt", at[i] }
+            /^f/ { first = faces++ ? 0 : 4; print "f", $2 "/" first + 1, $3 "/" first + 2, $4 "/" first + 3, $5 "/" first + 4; next }
+            { print }' "$1.obj" >"$1.lit" && mv "$1.lit" "$1.obj"
+}

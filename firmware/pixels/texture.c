@@ -6,9 +6,10 @@
  * gradient adds up to over half a screen of 240 pixels is 2^-23 of the largest depth on the screen. */
 #include "pixels/texture.h"
 
-#if LIM_HAS_TEXTURE
+#include "long.h"
+#include "pixels/texture_seen.h"
 
-enum { PLANE_BITS = 30 };
+#if LIM_HAS_TEXTURE
 
 /* Once a frame ------------------------------------------------------------------------------------- */
 
@@ -33,12 +34,6 @@ static LIM_IN_EACH_CALLER int32_t texture_mantissa_of(uint32_t tan_q28, int16_t 
     return (int32_t)(mantissa_q32 >> 1);
 }
 
-/* x / 2^bits, or what of it 32 bits hold. */
-static inline int32_t moved(int32_t x, int_fast16_t bits)
-{
-    return bits >= 0 ? x >> (bits < 31 ? bits : 31) : (int32_t)((uint32_t)x << -bits);
-}
-
 /* What a half-pixel adds to the way ahead. In profiles without limbs all three axes are of one length, such that no sum
  * over twice the screen leaves 31 bits. */
 static void texture_set_axes(struct lim_texturing *texturing, const struct lim_camera *camera,
@@ -56,7 +51,8 @@ static void texture_set_axes(struct lim_texturing *texturing, const struct lim_c
         const int32_t mantissa_q31 = texture_mantissa_of(tans_q28[i], sides_px[i], &bits);
         texturing->axis_bits[i] = LIM_HAS_LIMBS ? bits : (int8_t)(-shorter);
         for (uint_fast8_t k = (uint_fast8_t)(3 * i), end = (uint_fast8_t)(k + 3); k < end; k++)
-            axes_q30[k] = moved(mul_high_s32(camera_q30[k], mantissa_q31) * 2, LIM_HAS_LIMBS ? 0 : bits + shorter);
+            axes_q30[k] =
+                lim_texture_scaled(mul_high_s32(camera_q30[k], mantissa_q31) * 2, LIM_HAS_LIMBS ? 0 : bits + shorter);
     }
     texturing->axis_bits[2] = (int8_t)(-shorter);
     for (uint_fast8_t k = 6; k < 9; k++)
@@ -72,10 +68,15 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
     texturing->w_px = (int16_t)view->width.px;
     texturing->h_px = (int16_t)view->height.px;
     texturing->far_bits = (uint8_t)(32 - clz_u32(view->rows.far_units));
-    for (uint_fast8_t i = 0; i < LIM_TEXTURE_AXES; i++) {
-        const int32_t at_q8 = camera->eye_q8[i % 3];
-        texturing->eye_high[i] = (int16_t)((at_q8 + 0x8000) >> 16);
-        texturing->eye_low_q8[i] = (int16_t)(at_q8 - texturing->eye_high[i] * INT32_C(65536));
+    if (LIM_HAS_LONG && lim_scene_long(scene)) {
+        texturing->far_bits = LIM_LONG_FAR_BITS;
+        *texturing->far = view->rows.eye;
+    } else {
+        for (uint_fast8_t i = 0; i < LIM_TEXTURE_AXES; i++) {
+            const int32_t at_q8 = camera->eye_q8[i % 3];
+            texturing->eye_high[i] = (int16_t)((at_q8 + 0x8000) >> 16);
+            texturing->eye_low_q8[i] = (int16_t)(at_q8 - texturing->eye_high[i] * INT32_C(65536));
+        }
     }
     texture_set_axes(texturing, camera, axes_q30);
     /* log2 of a pixel's side at depth 1, the mean of both: 2 tan / side. */
@@ -86,68 +87,15 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
 
 /* Once a polygon ----------------------------------------------------------------------------------- */
 
-/* For either memory: an AVR reads flash otherwise. */
-#if LIM_DUAL_MULTIPLY
-#define DOT_OF_PAIRS(a, b) ((int32_t)fixed_dot_pairs(a, b, 0))
-#else
-#define DOT_OF_PAIRS(a, b) ((int32_t)(a)[0] * (b)[0] + (int32_t)(a)[1] * (b)[1])
-#endif
-
 static inline int32_t dot_2(const LIM_FLASH int16_t *a, const int16_t *b)
 {
     return DOT_OF_PAIRS(a, b);
-}
-
-static inline int32_t dot_3(const int16_t *a, const int16_t *b)
-{
-    return DOT_OF_PAIRS(a, b) + (int32_t)a[2] * b[2];
-}
-
-/* The components add up to 32767 at most: below 2^30 with both limbs. */
-static inline int32_t normal_q15(const int16_t n[3], const struct lim_texture_axis *axis)
-{
-    return dot_3(n, axis->high_q14) * 2 + (dot_3(n, axis->low_q30) >> 15);
 }
 
 static inline int32_t across_q15(const LIM_FLASH int16_t a[2], const struct lim_texture_axis *axis, uint_fast8_t j)
 {
     return dot_2(a, &axis->high_q14[j]) * 2 + (dot_2(a, &axis->low_q30[j]) >> 15);
 }
-
-/* What a plane may be at most, in 2^12. X goes three times as far as the screen: a stretch's end may lie beyond. */
-static inline uint32_t most_of(const struct lim_texturing *texturing, const struct lim_texture_plane *plane)
-{
-    return (abs_s32(plane->at) >> 12) + 3 +
-           (uint32_t)moved((int32_t)(abs_s32(plane->x) >> 12) * 3 * texturing->w_px, texturing->axis_bits[0]) +
-           (uint32_t)moved((int32_t)(abs_s32(plane->y) >> 12) * texturing->h_px, texturing->axis_bits[1]);
-}
-
-/* Scales planes until the larger one fills PLANE_BITS, and says by how many bits. Without limbs they are left as they
- * are. */
-static inline int8_t fill_bits(const struct lim_texturing *texturing, struct lim_texture_plane *planes,
-                               uint_fast8_t count)
-{
-    uint32_t most = 0;
-
-    if (!LIM_HAS_LIMBS) return texturing->axis_bits[2];
-    for (uint_fast8_t i = 0; i < count; i++)
-        most |= most_of(texturing, &planes[i]);
-    const int8_t bits = (int8_t)(clz_u32(most) - (32 - PLANE_BITS + 12));
-    for (uint_fast8_t i = 0; i < count; i++) {
-        planes[i].at = moved(planes[i].at, -bits);
-        planes[i].x = moved(planes[i].x, texturing->axis_bits[0] - bits);
-        planes[i].y = moved(planes[i].y, texturing->axis_bits[1] - bits);
-    }
-    return bits;
-}
-
-/* The eye's distance from the mapping's plane, in the length of its normal: h = mantissa 2^(bits - 8), mantissa of 31
- * bits. */
-struct height {
-    int32_t mantissa;
-    int8_t bits;
-    bool behind;
-};
 
 /* An eye in the plane itself sees nothing of it; with rounding perhaps a line of pixels, whose texels are as good as
  * any. */
@@ -161,19 +109,7 @@ static inline struct height height_of(const struct lim_texturing *texturing, con
         upper = -upper - (lower > 0);
         lower = -lower & 0xFFFF;
     }
-    const uint32_t high = (uint32_t)upper >> 16, low = (uint32_t)upper << 16 | (uint32_t)lower;
-    struct height height = {.behind = behind};
-    uint8_t zeros;
-
-    if (high) {
-        const uint32_t mantissa = normalise_u32(high, &zeros);
-        height.mantissa = (int32_t)((mantissa | low >> 1 >> (31 - zeros)) >> 1);
-        height.bits = (int8_t)(33 - zeros);
-    } else {
-        height.mantissa = (int32_t)(normalise_u32(low ? low : 1, &zeros) >> 1);
-        height.bits = (int8_t)(1 - zeros);
-    }
-    return height;
+    return height_of_words((uint32_t)upper >> 16, (uint32_t)upper << 16 | (uint32_t)lower, behind);
 }
 
 static inline void times(struct lim_texture_plane *plane, int32_t by_q31)
@@ -183,19 +119,12 @@ static inline void times(struct lim_texture_plane *plane, int32_t by_q31)
     plane->y = mul_high_s32(plane->y * 2, by_q31);
 }
 
-static inline void negate(struct lim_texture_plane *plane)
-{
-    plane->at = -plane->at;
-    plane->x = -plane->x;
-    plane->y = -plane->y;
-}
-
 /* Depth at 2^far_bits units: h / 2^far_bits, in the format of `depth`. Rounding leaves some pixels outside of their
  * polygon, and there the depth may be anything; no smaller one is ever divided by. */
 static inline int32_t depth_min_of(struct height height, int8_t depth_bits, uint8_t far_bits)
 {
     const int_fast16_t bits = (int_fast16_t)(far_bits - height.bits - 7 - depth_bits);
-    const int32_t least = bits <= 1 ? INT32_C(1) << 29 : moved(height.mantissa, bits);
+    const int32_t least = bits <= 1 ? INT32_C(1) << 29 : lim_texture_scaled(height.mantissa, bits);
 
     return least < 1 ? 1 : least;
 }
@@ -211,15 +140,6 @@ static inline uint32_t eye_place_q16(const struct lim_texturing *texturing, cons
                           : down >= 0 ? ((uint32_t)high << (16 - down)) + (uint32_t)(low >> down)
                                       : ((uint32_t)high << 8 << (8 - down)) + ((uint32_t)low << -down));
 }
-
-/* What has to be known before it is decided how to draw. */
-struct seen {
-    struct lim_texture_plane depth, uv[2]; /* n . D, a . D */
-    struct height height;
-    uint32_t eye_uv_q16[2];
-    int16_t level_q4; /* as in struct lim_texture_planes */
-    int8_t shift, depth_bits;
-};
 
 static inline void see(const struct lim_texturing *texturing, const LIM_FLASH struct lim_mapping *mapping,
                        struct seen *seen)
@@ -374,7 +294,10 @@ void lim_texture_set(const struct lim_texturing *texturing, uint16_t number, con
         lim_sky_set(texturing, mapping, out);
         return;
     }
-    see(texturing, mapping, &seen);
+    if (LIM_HAS_LONG && lim_scene_long(scene))
+        lim_texture_see_long(texturing, number_of_mapping(scene, number, words), &seen);
+    else
+        see(texturing, mapping, &seen);
     out->is_even = set_even(texturing, &seen, &around, out);
     if (!out->is_even) set_planes(texturing, &seen, &around, out);
 }

@@ -10,7 +10,6 @@
 #include "compiler/mesh_leaf_choice.h"
 #include "compiler/texture_budget.h"
 #include "core/core.h"
-#include "model/grid.h"
 #include "model/original.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
@@ -81,34 +80,11 @@ static bool compile_cleaned(const struct model *model, struct mesh *mesh, const 
     return ok;
 }
 
-static bool clean_long(const struct model *model, double near_m, struct mesh *mesh, struct error *err)
-{
-    struct grid grid;
-    return grid_choose_long(model, near_m, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
-}
-
-bool compile_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
-                   struct error *err)
-{
-    enum coordinates coordinates;
-    if (!compile_options_coordinates(options, model, &coordinates, err)) return false;
-    if (coordinates == COORDINATES_32) return clean_long(model, options->near_m, mesh, err);
-    struct error refused = {0};
-    const bool ok = mesh_clean(model, mesh, &refused);
-    if (coordinates == COORDINATES_16) {
-        if (!ok) *err = refused;
-        return ok;
-    }
-    if (ok && !faithful_wants_finer(mesh, options)) return true;
-    if (ok) mesh_free(mesh);
-    return clean_long(model, options->near_m, mesh, err);
-}
-
 bool compile_part(const struct model *model, const struct grid *grid, const struct compile_options *options,
                   struct compiled *out, struct error *err)
 {
     struct mesh mesh;
-    if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : compile_clean(model, options, &mesh, err))) return false;
+    if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : faithful_clean(model, options, &mesh, err))) return false;
     bool ok = compile_cleaned(model, &mesh, options, out, err);
     mesh_free(&mesh);
     return ok;

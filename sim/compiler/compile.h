@@ -7,10 +7,6 @@
 #include "compiler/compile_options.h"
 #include "scene/compiled.h"
 
-/* mesh_clean() on the grid that the options, or the model, ask for. */
-bool compile_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
-                   struct error *err);
-
 /* A model that has its light to compiled scene; `grid`: NULL, or the one that it is to have. */
 bool compile_part(const struct model *model, const struct grid *grid, const struct compile_options *options,
                   struct compiled *out, struct error *err);

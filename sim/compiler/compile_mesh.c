@@ -32,7 +32,7 @@ static size_t texture_flash_b(const struct lim_scene *scene, bool wide)
     enum { FIELDS_B = 4 * 4 + 4 * 2 };
     if (!scene->texture_count) return 0;
     return FIELDS_B + (*scene->uvs ? scene->vertex_count * sizeof **scene->uvs + 4 : 0) +
-           scene->mapping_count * width_mapping_b(wide) + scene->texture_count * sizeof *scene->textures +
+           scene->mapping_count * width_mapping_b(scene, wide) + scene->texture_count * sizeof *scene->textures +
            scene->palette_colours * sizeof *scene->palettes + scene->texel_blocks * (size_t)LIM_TEXEL_BLOCK;
 }
 

@@ -89,7 +89,7 @@ bool coordinates_parse(const char *text, enum coordinates *out, struct error *er
 static bool may_be_long(const struct compile_options *options, const struct model *model)
 {
     const enum lim_method draws = compile_options_draws(options);
-    if (model->mover_count || model->picture_count || options->drop_small) return false;
+    if (model->mover_count || options->drop_small) return false;
     if (options->mesh_leaves == MESH_LEAVES_ALL) return false;
     return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
 }
@@ -100,7 +100,7 @@ bool compile_options_coordinates(const struct compile_options *options, const st
     const bool may = may_be_long(options, model);
     *out = may ? options->coordinates : COORDINATES_16;
     return may || options->coordinates != COORDINATES_32 ||
-           error_set(err, "--coordinates 32: not with what moves, textures, or methods that do not walk a tree");
+           error_set(err, "--coordinates 32: not with what moves, or methods that do not walk a tree");
 }
 
 void compile_options_light(const struct compile_options *options, struct model *model)

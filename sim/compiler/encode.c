@@ -257,10 +257,30 @@ static struct lim_plane_ref plane_ref(struct encoder *work, uint32_t group)
     return (struct lim_plane_ref){index * LIM_PLANE_WORDS, 0};
 }
 
+static struct texture_plane long_texture_plane_of(const struct encoder *work, struct lim_plane_ref ref)
+{
+    struct texture_plane out = {.ref = ref, .is_long = true};
+    uint32_t vertex = (lim_index)ref.offset;
+    if (ref.plane >= LIM_PLANE_X)
+        out.n[ref.plane - LIM_PLANE_X] = ldexp(1, 30);
+    else {
+        const struct lim_long_plane *plane = &work->out->long_planes[ref.plane];
+        for (int i = 0; i < 3; i++)
+            out.n[i] = plane->n[i];
+        out.d = plane->rest;
+        vertex = plane->vertex;
+    }
+    for (int i = 0; i < 3; i++) {
+        out.at[i] = work->out->long_vertices[vertex].at[i];
+        out.d += out.n[i] * out.at[i];
+    }
+    return out;
+}
+
 static struct texture_plane texture_plane_of(const struct encoder *work, struct lim_plane_ref ref)
 {
     struct texture_plane out = {.ref = ref};
-    if (work->out->is_long) return out; /* which has no textures */
+    if (work->out->is_long) return long_texture_plane_of(work, ref);
     if (ref.plane >= LIM_PLANE_X) {
         out.n[ref.plane - LIM_PLANE_X] = LIM_MAPPING_UPRIGHT_N;
         out.d = LIM_MAPPING_UPRIGHT_N * (double)ref.offset;

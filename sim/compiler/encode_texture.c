@@ -9,13 +9,15 @@
 #include "base/vec3.h"
 #include "colour.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { COUNT_MAX = 0xFFFF, SUM_MAX = 32767, LIGHT_BITS = 4 };
 static const double LEVEL_MIN = -16, LEVEL_MAX = 15.875; /* as far as 8 bits count eighths */
-static const double ANISOTROPY_MAX = 64;                 /* of a mapping, as far as its level of detail knows */
+static const double LONG_LEVEL_MAX = LIM_LONG_LEVEL_MAX_Q4 / 16.0;
+static const double ANISOTROPY_MAX = 64; /* of a mapping, as far as its level of detail knows */
 
 static const uint32_t NO_TEXTURE = UINT32_MAX;
 static const uint64_t NO_PICTURE = UINT64_C(1) << 63; /* of a colour alone: no texture has that number */
@@ -146,15 +148,19 @@ static bool round_vector(const double v[2], double by, int16_t out[2])
 }
 
 /* log2 of texels a unit: the mean of both directions, or of the finer one and what it is held to be at least. */
-static int8_t level_of(double uv[2][3], double normal_length)
+static double level_of(double uv[2][3], double normal_length)
 {
     double cross[3];
     for (int i = 0; i < 3; i++)
         cross[i] = uv[0][(i + 1) % 3] * uv[1][(i + 2) % 3] - uv[0][(i + 2) % 3] * uv[1][(i + 1) % 3];
     const double longest2 = fmax(vec3_dot(uv[0], uv[0]), vec3_dot(uv[1], uv[1]));
     const double area = fmax(sqrt(vec3_dot(cross, cross)), longest2 / ANISOTROPY_MAX);
-    const double level = area > 0 ? (log2(area) + log2(normal_length / LIM_MAPPING_UPRIGHT_N)) / 2 : LEVEL_MIN;
-    return (int8_t)floor(8 * fmax(fmin(level, LEVEL_MAX), LEVEL_MIN) + 0.5);
+    return area > 0 ? (log2(area) + log2(normal_length)) / 2 : -DBL_MAX;
+}
+
+static double length_of(const double v[3])
+{
+    return sqrt(vec3_dot(v, v));
 }
 
 /* How far from a point the plane is, along an axis. */
@@ -163,42 +169,112 @@ static double way_to_plane(const struct texture_plane *plane, const double point
     return (plane->d - vec3_dot(plane->n, point)) / plane->n[axis];
 }
 
-static struct lim_mapping mapping_of(const struct mesh *mesh, const struct mapping *from,
-                                     const struct texture_plane *plane)
+/* A mapping of the mesh on a plane of the scene's grid. */
+struct on_grid {
+    const struct texture_plane *plane;
+    double centre[3];    /* units */
+    double texels[2][3]; /* a unit */
+    double across[2][2]; /* widths of the picture a unit, along the axes j and k */
+    double at_centre[2]; /* likewise widths, where the plane is above or below the centre */
+    int axis;            /* of the normal's longest component */
+};
+
+static void put_on_grid(const struct mesh *mesh, const struct mapping *from, const struct texture_plane *plane,
+                        struct on_grid *out)
 {
     const struct texture *texture = &mesh->textures[from->texture];
-    struct lim_mapping out = {0};
-    double centre[3], texels[2][3], across[2][2];
     int i = 0;
     for (int axis = 0; axis < 3; axis++) {
-        centre[axis] = (from->centre_m[axis] - mesh->grid.origin_m[axis]) * mesh->grid.units_per_m;
+        out->centre[axis] = (from->centre_m[axis] - mesh->grid.origin_m[axis]) * mesh->grid.units_per_m;
         if (fabs(plane->n[axis]) > fabs(plane->n[i])) i = axis;
     }
     const int j = (i + 1) % 3, k = (i + 2) % 3;
+    out->plane = plane;
+    out->axis = i;
     for (int c = 0; c < 2; c++) {
+        double *const texels = out->texels[c];
         for (int axis = 0; axis < 3; axis++)
-            texels[c][axis] =
+            texels[axis] =
                 ldexp(from->gradient[c][axis], c ? texture->h_bits : texture->w_bits) / mesh->grid.units_per_m;
-        across[c][0] = ldexp(texels[c][j] - texels[c][i] * plane->n[j] / plane->n[i], -texture->w_bits);
-        across[c][1] = ldexp(texels[c][k] - texels[c][i] * plane->n[k] / plane->n[i], -texture->w_bits);
+        out->across[c][0] = ldexp(texels[j] - texels[i] * plane->n[j] / plane->n[i], -texture->w_bits);
+        out->across[c][1] = ldexp(texels[k] - texels[i] * plane->n[k] / plane->n[i], -texture->w_bits);
+        const double beside = ldexp(texels[i], -texture->w_bits) * way_to_plane(plane, out->centre, i);
+        out->at_centre[c] = ldexp(from->uv[c], c ? texture->h_bits - texture->w_bits : 0) + beside;
     }
+}
+
+/* Of a place in widths, modulo 1. */
+static uint16_t place_q16(double place)
+{
+    return (uint16_t)(int64_t)floor((place - floor(place)) * 65536 + 0.5);
+}
+
+static uint8_t scale_of(const struct on_grid *on, int bits)
+{
+    const bool upright = on->plane->ref.plane >= LIM_PLANE_X;
+    return (uint8_t)(bits | (upright ? LIM_MAPPING_UPRIGHT : 0) | on->axis << LIM_MAPPING_AXIS_SHIFT);
+}
+
+static lim_index plane_word(const struct texture_plane *plane)
+{
+    return plane->ref.plane >= LIM_PLANE_X ? (lim_index)plane->ref.offset : plane->ref.plane;
+}
+
+static struct lim_mapping mapping_of(const struct on_grid *on)
+{
+    struct lim_mapping out = {.plane = plane_word(on->plane)};
+    const int j = (on->axis + 1) % 3, k = (on->axis + 2) % 3;
     int bits = LIM_MAPPING_BITS;
-    while (bits > 0 &&
-           (!round_vector(across[0], ldexp(1, bits), out.uv[0]) || !round_vector(across[1], ldexp(1, bits), out.uv[1])))
+    while (bits > 0 && (!round_vector(on->across[0], ldexp(1, bits), out.uv[0]) ||
+                        !round_vector(on->across[1], ldexp(1, bits), out.uv[1])))
         bits--;
-    round_vector(across[0], ldexp(1, bits), out.uv[0]);
-    round_vector(across[1], ldexp(1, bits), out.uv[1]);
-    for (int c = 0; c < 2; c++) {
-        const double beside = ldexp(texels[c][i], -texture->w_bits) * way_to_plane(plane, centre, i);
-        const double at_centre = ldexp(from->uv[c], c ? texture->h_bits - texture->w_bits : 0) + beside;
-        /* Rounding turns the gradient: about the centre. */
-        const double at_zero = at_centre - ldexp(out.uv[c][0] * centre[j] + out.uv[c][1] * centre[k], -bits);
-        out.at_zero_q16[c] = (uint16_t)(int64_t)floor((at_zero - floor(at_zero)) * 65536 + 0.5);
-    }
-    const bool upright = plane->ref.plane >= LIM_PLANE_X;
-    out.plane = upright ? (lim_index)plane->ref.offset : plane->ref.plane;
-    out.scale = (uint8_t)(bits | (upright ? LIM_MAPPING_UPRIGHT : 0) | i << LIM_MAPPING_AXIS_SHIFT);
-    out.level_q3 = level_of(texels, sqrt(vec3_dot(plane->n, plane->n)));
+    round_vector(on->across[0], ldexp(1, bits), out.uv[0]);
+    round_vector(on->across[1], ldexp(1, bits), out.uv[1]);
+    for (int c = 0; c < 2; c++) /* Rounding turns the gradient: about the centre. */
+        out.at_zero_q16[c] =
+            place_q16(on->at_centre[c] - ldexp(out.uv[c][0] * on->centre[j] + out.uv[c][1] * on->centre[k], -bits));
+    out.scale = scale_of(on, bits);
+    const double level = level_of((double(*)[3])on->texels, length_of(on->plane->n) / LIM_MAPPING_UPRIGHT_N);
+    out.level_q3 = (int8_t)floor(8 * fmax(fmin(level, LEVEL_MAX), LEVEL_MIN) + 0.5);
+    return out;
+}
+
+/* Of a long scene ----------------------------------------------------------------------------- */
+
+/* v times 2^bits, rounded; false: the components add up to too much. */
+static bool round_long(const double v[2], int bits, int32_t out[2])
+{
+    const double x = floor(ldexp(v[0], bits) + 0.5), y = floor(ldexp(v[1], bits) + 0.5);
+    if (fabs(x) + fabs(y) > LIM_LONG_UV_MAX) return false;
+    out[0] = (int32_t)x;
+    out[1] = (int32_t)y;
+    return true;
+}
+
+static void round_gradients(const struct on_grid *on, struct lim_long_mapping *out)
+{
+    int bits = LIM_LONG_UV_BITS_MAX;
+    while (bits > LIM_LONG_UV_BITS_MIN &&
+           (!round_long(on->across[0], bits, out->uv[0]) || !round_long(on->across[1], bits, out->uv[1])))
+        bits--;
+    for (int c = 0; c < 2; c++)
+        if (!round_long(on->across[c], bits, out->uv[c])) out->uv[c][0] = out->uv[c][1] = 0;
+    out->bits = (uint8_t)bits;
+}
+
+/* Rounding turns the gradient about the centre, however far away the plane's vertex is. */
+static struct lim_mapping long_mapping_of(const struct on_grid *on, struct lim_long_mapping *places)
+{
+    struct lim_mapping out = {.plane = plane_word(on->plane), .scale = scale_of(on, 0)};
+    const int32_t *vertex = on->plane->at;
+    const int j = (on->axis + 1) % 3, k = (on->axis + 2) % 3;
+    round_gradients(on, places);
+    for (int c = 0; c < 2; c++)
+        out.at_zero_q16[c] = place_q16(on->at_centre[c] - ldexp(places->uv[c][0] * (on->centre[j] - vertex[j]) +
+                                                                    places->uv[c][1] * (on->centre[k] - vertex[k]),
+                                                                -places->bits));
+    const double level = level_of((double(*)[3])on->texels, ldexp(length_of(on->plane->n), -30));
+    places->level_q4 = (int16_t)floor(16 * fmax(fmin(level, LONG_LEVEL_MAX), -LONG_LEVEL_MAX) + 0.5);
     return out;
 }
 
@@ -211,26 +287,52 @@ static struct lim_mapping sky_of(const struct texture *texture)
                                 .scale = LIM_MAPPING_UPRIGHT};
 }
 
-static uint64_t hash_of(const struct lim_mapping *mapping)
+static uint64_t hash_of(const void *data, size_t size_b, uint64_t hash)
 {
-    const unsigned char *bytes = (const unsigned char *)mapping;
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    for (size_t i = 0; i < sizeof *mapping; i++)
+    const unsigned char *bytes = data;
+    for (size_t i = 0; i < size_b; i++)
         hash = (hash ^ bytes[i]) * UINT64_C(0x100000001b3);
     return hash;
 }
 
-static uint32_t mapping_index(struct texture_encoder *encoder, uint32_t number, const struct texture_plane *plane)
+/* `places`: NULL, but of a long scene. */
+static void mapping_add_to(struct texture_arrays *out, const struct lim_mapping *mapping,
+                           const struct lim_long_mapping *places)
+{
+    const size_t count = out->mapping_count;
+    out->mappings = grow(out->mappings, count, &out->mapping_capacity, sizeof *out->mappings);
+    out->mappings[out->mapping_count++] = *mapping;
+    if (!places) return;
+    out->long_mappings = grow(out->long_mappings, count, &out->long_mapping_capacity, sizeof *out->long_mappings);
+    out->long_mappings[count] = *places;
+}
+
+static uint32_t mapping_index(struct texture_encoder *encoder, const struct lim_mapping *mapping,
+                              const struct lim_long_mapping *places)
 {
     struct texture_arrays *out = encoder->out;
+    uint64_t hash = hash_of(mapping, sizeof *mapping, UINT64_C(0xcbf29ce484222325));
+    if (places) hash = hash_of(places, sizeof *places, hash);
+    const uint32_t index = *map_at(&encoder->same, hash, (uint32_t)out->mapping_count);
+    if (index < out->mapping_count && memcmp(&out->mappings[index], mapping, sizeof *mapping) == 0 &&
+        (!places || memcmp(&out->long_mappings[index], places, sizeof *places) == 0))
+        return index;
+    mapping_add_to(out, mapping, places);
+    return (uint32_t)out->mapping_count - 1;
+}
+
+static uint32_t mapping_number(struct texture_encoder *encoder, uint32_t number, const struct texture_plane *plane)
+{
     const struct mapping *from = &encoder->mesh->mappings[number];
     const struct texture *texture = &encoder->mesh->textures[from->texture];
-    const struct lim_mapping mapping = texture->sky.times ? sky_of(texture) : mapping_of(encoder->mesh, from, plane);
-    const uint32_t index = *map_at(&encoder->same, hash_of(&mapping), (uint32_t)out->mapping_count);
-    if (index < out->mapping_count && memcmp(&out->mappings[index], &mapping, sizeof mapping) == 0) return index;
-    out->mappings = grow(out->mappings, out->mapping_count, &out->mapping_capacity, sizeof *out->mappings);
-    out->mappings[out->mapping_count] = mapping;
-    return (uint32_t)out->mapping_count++;
+    struct lim_mapping mapping = sky_of(texture);
+    struct lim_long_mapping places = {.bits = LIM_LONG_UV_BITS_MIN}; /* a sky's, of which nothing is asked */
+    struct on_grid on;
+    if (!texture->sky.times) {
+        put_on_grid(encoder->mesh, from, plane, &on);
+        mapping = plane->is_long ? long_mapping_of(&on, &places) : mapping_of(&on);
+    }
+    return mapping_index(encoder, &mapping, plane->is_long ? &places : NULL);
 }
 
 /* The texel that single ones share is a texture of its own. */
@@ -267,7 +369,7 @@ bool texture_encode(struct texture_encoder *encoder, const struct mesh_polygon *
 {
     if (!polygon->mapping) return false;
     words[0] = texture_encode_look(encoder, polygon);
-    words[1] = (uint16_t)mapping_index(encoder, polygon->mapping, plane);
+    words[1] = (uint16_t)mapping_number(encoder, polygon->mapping, plane);
     return true;
 }
 
@@ -279,8 +381,12 @@ static uint32_t named_mapping(struct texture_arrays *out, struct map *copies, ui
     map_at(copies, (uint64_t)mapping << 32 | NO_TEXTURE, 0);
     const uint32_t index = *map_at(copies, key, is_first ? mapping : (uint32_t)out->mapping_count);
     if (index == out->mapping_count) {
-        out->mappings = grow(out->mappings, out->mapping_count, &out->mapping_capacity, sizeof *out->mappings);
-        out->mappings[out->mapping_count++] = out->mappings[mapping];
+        const struct lim_mapping copy = out->mappings[mapping];
+        if (out->long_mappings) {
+            const struct lim_long_mapping places = out->long_mappings[mapping];
+            mapping_add_to(out, &copy, &places);
+        } else
+            mapping_add_to(out, &copy, NULL);
     }
     out->mappings[index].texture = (uint16_t)texture;
     return index;

@@ -22,7 +22,9 @@ struct texture_encoder {
 /* The plane of a polygon as the scene has it, and where. */
 struct texture_plane {
     struct lim_plane_ref ref;
-    double n[3], d; /* n . p = d; of an axis plane, n is LIM_MAPPING_UPRIGHT_N long */
+    double n[3], d; /* n . p = d; of an axis plane, n is LIM_MAPPING_UPRIGHT_N long, or of a long scene 2^30 */
+    bool is_long;
+    int32_t at[3]; /* of a long scene: the vertex by which it goes, units */
 };
 
 /* Levels of light as many as palettes have room for, 16 at most: each that a face needs takes a palette. */

@@ -10,6 +10,7 @@
 #include "cameras/camera_path.h"
 #include "compiler/tree_choice.h"
 #include "core/core.h"
+#include "model/grid.h"
 #include "model/original.h"
 #include "scene/records.h"
 
@@ -418,4 +419,29 @@ void faithful_note(const struct compiled *scene)
     if (scene->report.left_out)
         notice("--drop-small left out %zu of %zu faces, too small for the grid", scene->report.left_out,
                scene->report.mesh.faces);
+}
+
+/* Which grid -------------------------------------------------------------------------------- */
+
+static bool clean_long(const struct model *model, double near_m, struct mesh *mesh, struct error *err)
+{
+    struct grid grid;
+    return grid_choose_long(model, near_m, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
+}
+
+bool faithful_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
+                    struct error *err)
+{
+    enum coordinates coordinates;
+    if (!compile_options_coordinates(options, model, &coordinates, err)) return false;
+    if (coordinates == COORDINATES_32) return clean_long(model, options->near_m, mesh, err);
+    struct error refused = {0};
+    const bool ok = mesh_clean(model, mesh, &refused);
+    if (coordinates == COORDINATES_16) {
+        if (!ok) *err = refused;
+        return ok;
+    }
+    if (ok && !faithful_wants_finer(mesh, options)) return true;
+    if (ok) mesh_free(mesh);
+    return clean_long(model, options->near_m, mesh, err);
 }

@@ -40,4 +40,8 @@ bool faithful_compile(const struct mesh *mesh, const struct compile_options *opt
 /* Says on standard error what --drop-small left out of a scene, if anything. */
 void faithful_note(const struct compiled *scene);
 
+/* mesh_clean() on the grid that the options ask for; or on that of 16 bits, unless the model wants 32. */
+bool faithful_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
+                    struct error *err);
+
 #endif

@@ -8,6 +8,7 @@
 #include "base/rgb565.h"
 #include "cameras/random_path.h"
 #include "compiler/compile_mesh.h"
+#include "compiler/faithful.h"
 #include "compiler/texture_plan.h"
 #include "scene.h"
 
@@ -60,7 +61,7 @@ static bool look(const struct mesh *mesh, const struct model *model, const struc
     struct lens lens;
     bool ok = true;
     if (!options->path.count)
-        ok = mesh_clean(model, &joined, err) && mesh_insert_t_vertices(&joined, err) &&
+        ok = mesh_clean_on(model, &mesh->grid, &joined, err) && mesh_insert_t_vertices(&joined, err) &&
              sample_cameras(&joined, options, &sampled, err);
     ok = ok &&
          lens_init(&lens, FOV_DEG, options->near_m > 0 ? options->near_m : lens_usual_near_m(&mesh->grid), 1, 1, err);
@@ -195,7 +196,7 @@ bool texture_budget_apply(struct model *model, const struct compile_options *opt
 {
     struct mesh mesh;
     if (!has_budget || !model->picture_count) return true;
-    if (!mesh_clean(model, &mesh, err)) return false;
+    if (!faithful_clean(model, options, &mesh, err)) return false;
     const bool ok = mesh_textures_enlarge(model, &mesh, err) && plan_and_apply(model, &mesh, options, err);
     mesh_free(&mesh);
     return ok;

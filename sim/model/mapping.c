@@ -12,6 +12,7 @@
 
 static const double AFFINE_TEXELS = 1.0 / 8, AGREE_TEXELS = 1.0 / 16;
 static const double UV_MAX = 32768;           /* pictures: beyond, float32 has no texels left */
+static const double LONG_UV_MAX = 2147483648; /* of scenes of many scales, whose files tell more */
 static const double TEXELS_A_UNIT_MAX = 8192; /* 16 bits hold four times that */
 
 struct corner {
@@ -39,7 +40,7 @@ static const double *uv_of(const struct model *model, const struct model_face *f
 
 static bool set_corners(struct corner *corners, const struct model *model, const struct model_face *face,
                         const uint32_t *welded, const struct loop *loop, const struct loop_plane *plane,
-                        double axes[2][3], bool transposed)
+                        double axes[2][3], bool transposed, double uv_max)
 {
     for (size_t k = 0; k < loop->count; k++) {
         const double *uv = uv_of(model, face, welded, loop->corners[k]);
@@ -48,7 +49,7 @@ static bool set_corners(struct corner *corners, const struct model *model, const
         for (int i = 0; i < 2; i++) {
             corners[k].at[i] = vec3_dot(axes[i], from_centre);
             corners[k].uv[i] = uv ? uv[transposed ? 1 - i : i] : NAN;
-            if (!(fabs(corners[k].uv[i]) <= UV_MAX)) return false;
+            if (!(fabs(corners[k].uv[i]) <= uv_max)) return false;
         }
     }
     return true;
@@ -155,7 +156,8 @@ uint32_t mapping_add(struct mesh *mesh, const struct model *model, const struct 
     set_axes(plane.normal, axes);
     const bool ok =
         model->uvs &&
-        set_corners(corners, model, face, welded, loop, &plane, axes, mesh->textures[mapping.texture].transposed) &&
+        set_corners(corners, model, face, welded, loop, &plane, axes, mesh->textures[mapping.texture].transposed,
+                    mesh->grid.is_long ? LONG_UV_MAX : UV_MAX) &&
         fit(corners, loop->count, axes, &mapping) && !is_too_fine(mesh, &mapping);
     if (ok) *is_affine = worst_texels(mesh, &mapping, loop, corners) <= AFFINE_TEXELS;
     free(corners);

@@ -68,7 +68,18 @@ static void write_vertices(FILE *file, const struct lim_scene *scene, const stru
     end_array(file);
 }
 
-/* Of a long scene in the place of vertices, planes and boxes. */
+static void write_long_mappings(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
+{
+    begin_array(file, prefix, "struct lim_long_mapping", "long_mappings", scene->mapping_count);
+    for (size_t i = 0; i < scene->mapping_count; i++) {
+        const struct lim_long_mapping *m = &lim_scene_long(scene)->mappings[i];
+        fprintf(file, "\n    {{{%ld, %ld}, {%ld, %ld}}, %d, %u, 0},", (long)m->uv[0][0], (long)m->uv[0][1],
+                (long)m->uv[1][0], (long)m->uv[1][1], m->level_q4, m->bits);
+    }
+    end_array(file);
+}
+
+/* Of a long scene in the place of vertices, planes and boxes, and beside mappings. */
 static void write_long(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)
 {
     const struct lim_long *all = lim_scene_long(scene);
@@ -92,11 +103,13 @@ static void write_long(FILE *file, const struct lim_scene *scene, const struct c
                 (unsigned long)box->half[2]);
     }
     if (scene->box_count) end_array(file);
+    if (scene->mapping_count) write_long_mappings(file, scene, prefix);
     fprintf(file, "\nstatic const struct lim_long %s_of_32_bits = {", prefix->symbol);
     fprintf(file, "%s_vertices, ", prefix->symbol);
     fprintf(file, scene->plane_count ? "%s_planes, " : "NULL, ", prefix->symbol);
     fprintf(file, scene->box_count ? "%s_boxes, " : "NULL, ", prefix->symbol);
-    fprintf(file, scene->fractions ? "%s_fractions};\n" : "NULL};\n", prefix->symbol);
+    fprintf(file, scene->fractions ? "%s_fractions, " : "NULL, ", prefix->symbol);
+    fprintf(file, scene->mapping_count ? "%s_long_mappings};\n" : "NULL};\n", prefix->symbol);
 }
 
 static void write_fractions(FILE *file, const struct lim_scene *scene, const struct c_name *prefix)

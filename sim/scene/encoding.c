@@ -10,6 +10,7 @@ enum { COUNT_MAX = 0xFFFF };
 void texture_arrays_free(struct texture_arrays *arrays)
 {
     free(arrays->mappings);
+    free(arrays->long_mappings);
     free(arrays->textures);
     free(arrays->palettes);
     free(arrays->texels);

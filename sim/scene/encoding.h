@@ -12,11 +12,12 @@
 /* Textures and mappings. */
 struct texture_arrays {
     struct lim_mapping *mappings;
+    struct lim_long_mapping *long_mappings; /* of a long scene, as many; else NULL */
     struct lim_texture *textures;
     uint16_t *palettes; /* as in memory */
     uint8_t *texels;
     size_t mapping_count, texture_count, palette_colours, texel_count;
-    size_t mapping_capacity, texture_capacity, palette_capacity, texel_capacity;
+    size_t mapping_capacity, long_mapping_capacity, texture_capacity, palette_capacity, texel_capacity;
 };
 
 struct encoding {

@@ -24,6 +24,7 @@ bool lim_check_long(const struct lim_scene *scene, struct error *err);
 bool lim_check_long_vertices(const struct lim_scene *scene, struct error *err);
 bool lim_check_long_boxes(const struct lim_scene *scene, struct error *err);
 bool lim_check_long_planes(const struct lim_scene *scene, struct error *err);
+bool lim_check_long_mapping(const struct lim_scene *scene, size_t index, struct error *err);
 bool lim_check_long_ref(const struct lim_scene *scene, const struct lim_plane_ref *ref, const char *what, size_t index,
                         struct error *err);
 

@@ -4,6 +4,8 @@
 #include "long.h"
 #include "scene/lim_check.h"
 
+#include <stdlib.h>
+
 enum { NORMAL_MAX = 1 << 30, HALF_MAX = 1 << 30 };
 
 static bool is_within(const int32_t at[3], int32_t most)
@@ -19,8 +21,7 @@ bool lim_check_long(const struct lim_scene *scene, struct error *err)
     if (!lim_scene_long(scene)) return true;
     if (!scene->node_count) return error_set(err, "coordinates of 32 bits without a tree");
     if (scene->exact_count) return error_set(err, "exact planes beside coordinates of 32 bits");
-    if (scene->limits.leaf_polygons) return error_set(err, "mesh leaves beside coordinates of 32 bits");
-    return !scene->texture_count || error_set(err, "textures beside coordinates of 32 bits");
+    return !scene->limits.leaf_polygons || error_set(err, "mesh leaves beside coordinates of 32 bits");
 }
 
 bool lim_check_long_vertices(const struct lim_scene *scene, struct error *err)
@@ -54,6 +55,25 @@ bool lim_check_long_planes(const struct lim_scene *scene, struct error *err)
                              (unsigned long)scene->vertex_count);
     }
     return true;
+}
+
+/* Of a sky's it holds, too. */
+bool lim_check_long_mapping(const struct lim_scene *scene, size_t index, struct error *err)
+{
+    const struct lim_mapping *mapping = &scene->mappings[index];
+    const struct lim_long_mapping *places = &lim_scene_long(scene)->mappings[index];
+    const bool upright = mapping->scale & LIM_MAPPING_UPRIGHT;
+    const lim_index count = upright ? scene->vertex_count : scene->plane_count;
+    for (int i = 0; i < 2; i++)
+        if (llabs(places->uv[i][0]) + llabs(places->uv[i][1]) > LIM_LONG_UV_MAX)
+            return error_set(err, "mapping %zu: a vector is too long", index);
+    if (places->bits < LIM_LONG_UV_BITS_MIN || places->bits > LIM_LONG_UV_BITS_MAX)
+        return error_set(err, "mapping %zu: places of %u bits", index, places->bits);
+    if (abs(places->level_q4) > LIM_LONG_LEVEL_MAX_Q4)
+        return error_set(err, "mapping %zu: no picture has %d / 16 levels", index, places->level_q4);
+    if (places->zero) return error_set(err, "mapping %zu: %u where zero is", index, places->zero);
+    return mapping->plane < count || error_set(err, "mapping %zu: its plane is number %lu of %lu", index,
+                                               (unsigned long)mapping->plane, (unsigned long)count);
 }
 
 bool lim_check_long_ref(const struct lim_scene *scene, const struct lim_plane_ref *ref, const char *what, size_t index,

@@ -2,6 +2,7 @@
  *
  * What the renderer relies on in textures and mappings: that texels and colours lie inside of their arrays, and that
  * sums of products stay within 32 bits. */
+#include "long.h"
 #include "scene/lim_check.h"
 
 #include <stdlib.h>
@@ -44,6 +45,7 @@ static bool check_mapping(const struct lim_scene *scene, size_t index, struct er
         return error_set(err, "mapping %zu: there is no such axis", index);
     if (mapping->texture >= (lim_mappings_name_textures(scene) ? scene->texture_count : 1))
         return error_set(err, "mapping %zu: names texture %u", index, (unsigned)mapping->texture);
+    if (lim_scene_long(scene)) return lim_check_long_mapping(scene, index, err);
     const lim_offset offset = (lim_offset)mapping->plane;
     if (upright && (offset < INT16_MIN || offset > INT16_MAX))
         return error_set(err, "mapping %zu: an axis plane at %ld, outside of the grid", index, (long)offset);

@@ -71,11 +71,12 @@ static bool check_header(const struct lim_file_header *header, const char *path,
         return error_set(err, "%s: version %lu; this program reads version %d, compile the model again", path,
                          (unsigned long)header->version, LIM_FILE_VERSION);
     const uint32_t fractions = header->counts[SECTION_FRACTIONS], uvs = header->counts[SECTION_UVS];
+    const bool is_long = header->coordinate_bits == 32;
     if ((header->coordinate_bits != 16 && header->coordinate_bits != 32) || header->zero)
         return error_set(err, "%s: damaged: coordinates of %lu bits", path, (unsigned long)header->coordinate_bits);
     if (header->header_b != sizeof *header || header->file_b != lim_image_section_b(header, SECTION_COUNT) ||
         (fractions && fractions != header->counts[SECTION_VERTICES]) ||
-        (uvs && uvs != header->counts[SECTION_VERTICES]))
+        ((uvs || is_long) && uvs != header->counts[is_long ? SECTION_MAPPINGS : SECTION_VERTICES]))
         return error_set(err, "%s: damaged: the header contradicts itself", path);
     for (enum lim_section i = SECTION_MAPPINGS; i < SECTION_COUNT; i++)
         if (header->counts[i] > UINT16_MAX)

@@ -34,6 +34,8 @@ static_assert(sizeof(struct lim_box) == 12, "box");
 static_assert(sizeof(struct lim_long_vertex) == 12, "vertex of 32 bits");
 static_assert(sizeof(struct lim_long_plane) == 20, "plane of 32 bits");
 static_assert(sizeof(struct lim_long_box) == 24, "box of 32 bits");
+static_assert(sizeof(struct lim_long_mapping) == 20, "mapping of 32 bits");
+static_assert(offsetof(struct lim_long_mapping, bits) == 18, "mapping of 32 bits");
 static_assert(sizeof(struct lim_mapping) == 20, "mapping");
 static_assert(offsetof(struct lim_mapping, level_q3) == 16, "mapping");
 static_assert(sizeof(struct lim_texture) == 8, "texture");
@@ -67,6 +69,7 @@ static const struct element LONG_SECTIONS[SECTION_COUNT] = {
     [SECTION_VERTICES] = {sizeof(struct lim_long_vertex), "4"},
     [SECTION_PLANES] = {sizeof(struct lim_long_plane), "4"},
     [SECTION_BOXES] = {sizeof(struct lim_long_box), "4"},
+    [SECTION_UVS] = {sizeof(struct lim_long_mapping), "4444211"},
 };
 static const char HEADER_FIELDS[] = "11111111"
                                     "4444"
@@ -117,7 +120,9 @@ static void bind_long(void *image, struct compiled *scene)
     *scene->of_32_bits = (struct lim_long){.vertices = section_at(image, SECTION_VERTICES),
                                            .planes = section_at(image, SECTION_PLANES),
                                            .boxes = section_at(image, SECTION_BOXES),
-                                           .fractions = scene->scene.fractions};
+                                           .fractions = scene->scene.fractions,
+                                           .mappings = section_at(image, SECTION_UVS)};
+    *scene->scene.uvs = NULL;
     scene->scene.vertices = NULL;
     scene->scene.planes = NULL;
     scene->scene.boxes = NULL;
@@ -169,6 +174,12 @@ void lim_image_bind(void *image, struct compiled *scene)
     scene->scene.texel_blocks = (uint16_t)header->counts[SECTION_TEXELS];
 }
 
+static size_t uvs_of(const struct encoding *encoding)
+{
+    if (encoding->is_long) return encoding->textures.mapping_count;
+    return encoding->uvs ? encoding->vertex_count : 0;
+}
+
 static struct lim_file_header header_of(const struct encoding *encoding, const struct grid *grid)
 {
     const struct texture_arrays *textures = &encoding->textures;
@@ -180,7 +191,7 @@ static struct lim_file_header header_of(const struct encoding *encoding, const s
                                           encoding->word_count,
                                           encoding->record_count,
                                           encoding->fractions ? encoding->vertex_count : 0,
-                                          encoding->uvs ? encoding->vertex_count : 0,
+                                          uvs_of(encoding),
                                           textures->mapping_count,
                                           textures->texture_count,
                                           textures->palette_colours,
@@ -216,7 +227,7 @@ void lim_image_make(const struct encoding *encoding, const struct grid *grid, st
                                            encoding->words,
                                            encoding->faces,
                                            encoding->fractions,
-                                           encoding->uvs,
+                                           is_long ? (const void *)textures->long_mappings : encoding->uvs,
                                            textures->mappings,
                                            textures->textures,
                                            textures->palettes,

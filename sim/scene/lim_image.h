@@ -23,7 +23,7 @@ enum lim_section {
     SECTION_POLYGONS,
     SECTION_FACES,
     SECTION_FRACTIONS,
-    SECTION_UVS,
+    SECTION_UVS, /* of a long scene: lim_long.mappings */
     SECTION_MAPPINGS,
     SECTION_TEXTURES,
     SECTION_PALETTES,

@@ -29,7 +29,7 @@ size_t flash_parts(const struct compiled *scene, struct mem_part parts[FLASH_PAR
     if (*arrays->uvs)
         add(parts, &count, "places in textures", arrays->vertex_count * sizeof **arrays->uvs, arrays->vertex_count);
     add(parts, &count, "mappings and textures",
-        arrays->mapping_count * width_mapping_b(wide) + arrays->texture_count * sizeof *arrays->textures,
+        arrays->mapping_count * width_mapping_b(arrays, wide) + arrays->texture_count * sizeof *arrays->textures,
         arrays->mapping_count);
     return count;
 }

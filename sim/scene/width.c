@@ -49,9 +49,10 @@ size_t width_plane_b(const struct lim_scene *scene, bool wide)
     return wide ? sizeof(struct lim_plane) : (size_t)NARROW_PLANE_B;
 }
 
-size_t width_mapping_b(bool wide)
+size_t width_mapping_b(const struct lim_scene *scene, bool wide)
 {
-    return wide ? sizeof(struct lim_mapping) : (size_t)NARROW_MAPPING_B;
+    return (wide ? sizeof(struct lim_mapping) : (size_t)NARROW_MAPPING_B) +
+           (lim_scene_long(scene) ? sizeof(struct lim_long_mapping) : 0);
 }
 
 size_t width_word_b(bool wide)

@@ -17,7 +17,7 @@ size_t width_node_b(bool wide);
 size_t width_plane_b(const struct lim_scene *scene, bool wide);
 size_t width_vertex_b(const struct lim_scene *scene);
 size_t width_box_b(const struct lim_scene *scene);
-size_t width_mapping_b(bool wide);
+size_t width_mapping_b(const struct lim_scene *scene, bool wide);
 size_t width_word_b(bool wide); /* of a polygon's record */
 
 #endif

@@ -9,6 +9,9 @@
 limner=$(cd "$BUILD" && pwd)/limner
 long_scene "$work/many"
 long_scene "$work/glassy" 0.5
+textured_long_scene "$work/textured" tests/models/quarters.png
+textured_long_scene "$work/masked" tests/models/quarters.png tests/models/holes.png
+demo=$BUILD/scenes/textured/textured.obj
 many=$work/many.obj cameras=$work/many.cam
 
 # Which coordinates ------------------------------------------------------------------------------------------------------
@@ -36,14 +39,23 @@ measure_tells_the_scales() {
 }
 tap_check "measure tells how far the scales are apart" measure_tells_the_scales
 
-auto_is_as_16() { # SCENE
-    "$limner" compile "sim/scenes/$1.obj" -o "$work/auto" >"$work/auto.report" &&
-        "$limner" compile "sim/scenes/$1.obj" --coordinates 16 -o "$work/short" >"$work/short.report" &&
+textures_do_not_keep_16_bits() {
+    refused 'textured.obj: face [0-9]+ .* would vanish or move too far on a grid with units of 3.66 m' \
+        compile "$work/textured.obj" --coordinates 16 -o "$work/out/many" &&
+        "$limner" compile "$work/textured.obj" -o "$work/textured" >"$work/report" && grep 'coordinates  *32 bits' "$work/report" &&
+        ! grep 'no texture coordinates' "$work/report" && grep '^#define LIM_HAS_LONG 1$' "$work/textured.h" &&
+        grep '^#define LIM_HAS_TEXTURE 1$' "$work/textured.h" && grep 'struct lim_long_mapping' "$work/textured.c"
+}
+tap_check "textures or not" textures_do_not_keep_16_bits
+
+auto_is_as_16() { # MODEL
+    "$limner" compile "$1" -o "$work/auto" >"$work/auto.report" &&
+        "$limner" compile "$1" --coordinates 16 -o "$work/short" >"$work/short.report" &&
         grep -A 1 '^#ifndef LIM_HAS_LONG$' "$work/auto.h" | grep '^#define LIM_HAS_LONG 0$' &&
         ! grep 'lim_long_\|of_32_bits' "$work/auto.c" && cmp "$work/auto.lim" "$work/short.lim"
 }
-for scene in rooms teapot glass; do
-    tap_check "$scene keeps 16 bits, and is what it would be without the option" auto_is_as_16 $scene
+for scene in sim/scenes/rooms.obj sim/scenes/teapot.obj sim/scenes/glass.obj "$demo"; do
+    tap_check "$(basename "$scene" .obj) keeps 16 bits, and is what it would be without the option" auto_is_as_16 "$scene"
 done
 
 # The same model on both grids: the pictures are as the reference has them.
@@ -132,16 +144,14 @@ tap_check "--write-cameras puts each of the file where it says" cameras_are_wher
 # What cannot have 32 bits -----------------------------------------------------------------------------------------------
 
 not_32() { # WHAT ARGUMENT...
-    tap_check "$1: refused with 32 bits" refused ': --coordinates 32: not with what moves, textures, or methods' compile "$@" \
+    tap_check "$1: refused with 32 bits" refused ': --coordinates 32: not with what moves, or methods' compile "$@" \
         --coordinates 32 -o "$work/out/scene"
 }
-textured=$BUILD/scenes/textured/textured.obj
 not_32 sim/scenes/movers.gltf
-[ ! -f "$textured" ] || not_32 "$textured"
 for options in '--method mesh' '--method mesh-depth' '--method newell' '--method depth' \
     '--mesh-leaves all' '--tree mesh' '--tree none' --drop-small; do
     # shellcheck disable=SC2086 # options are words
-    tap_check "$options: refused with 32 bits" refused ': --coordinates 32: not with what moves, textures, or methods' \
+    tap_check "$options: refused with 32 bits" refused ': --coordinates 32: not with what moves, or methods' \
         compile sim/scenes/rooms.obj $options --coordinates 32 -o "$work/out/scene"
 done
 tap_check "a solid by its own method: refused with 32 bits" refused ': --coordinates 32: not with what moves' \
@@ -181,14 +191,22 @@ is_the_same_with() { # MODEL METHOD OPTION...
 for precision in draft fast fine exact; do
     tap_check "$precision: scan lines paint nearest first's picture" is_the_same_with "$many" scanline --precision $precision
     tap_check "$precision: and so does the painter" is_the_same_with "$many" painter --precision $precision
+    tap_check "$precision: scan lines paint nearest first's texels" is_the_same_with "$work/textured.obj" scanline --precision $precision
+    tap_check "$precision: and so does the painter" is_the_same_with "$work/textured.obj" painter --precision $precision
+    tap_check "$precision: and the painter round holes" is_the_same_with "$work/masked.obj" painter --precision $precision
     tap_check "$precision: and the painter with glass" is_the_same_with "$work/glassy.obj" painter --precision $precision
 done
 tap_check "antialiased: scan lines paint nearest first's picture" is_the_same_with "$many" scanline --antialias
+tap_check "antialiased: scan lines paint nearest first's texels" is_the_same_with "$work/textured.obj" scanline --antialias
 tap_check "clusters show nearest first's picture" is_the_same_by "$many" --method clusters
 tap_check "axis cuts show nearest first's picture" is_the_same_by "$many" --method axis
 tap_check "a framebuffer shows nearest first's picture" is_the_same_by "$many" --method bsp --panel framebuffer
 tap_check "a framebuffer shows it painted from back to front" is_the_same_by "$many" --method painter --panel framebuffer
 tap_check "a framebuffer shows glass" is_the_same_by "$work/glassy.obj" --panel framebuffer
+tap_check "a framebuffer shows texels" is_the_same_by "$work/textured.obj" --panel framebuffer
+tap_check "a framebuffer shows texels round holes" is_the_same_by "$work/masked.obj" --panel framebuffer
+tap_check "changes alone leave the same texels" is_the_same_by "$work/textured.obj" --method bsp --delta
+tap_check "little memory shows the same texels" is_the_same_by "$work/masked.obj" --method bsp --ram 60%
 tap_check "changes alone leave the same frames" is_the_same_by "$many" --method bsp --delta
 tap_check "little memory shows the same frames" is_the_same_by "$many" --method bsp --ram 60%
 tap_check "little memory shows the same glass" is_the_same_by "$work/glassy.obj" --method bsp --ram 60%
@@ -198,6 +216,95 @@ wireframe() {
         hashes "$work/wires_of_little" "$many" --wireframe --ram 60% && diff "$work/wires" "$work/wires_of_little"
 }
 tap_check "a wireframe is another picture, the same with little memory" wireframe
+
+# Textures ---------------------------------------------------------------------------------------------------------------
+
+texels() { # COLUMN: of each profile, draft to exact
+    awk -F , -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } { printf "%s ", $at[name] } END { print "" }' "$work/measured/measure.csv"
+}
+
+# The bounds of cli_texture.sh.
+demo_shows_its_texels() {
+    "$limner" measure "$demo" --camera "${demo%.obj}.cam" --coordinates 32 --no-cost -o "$work/measured" >/dev/null &&
+        texels texel_rms && texels texel_far_percent && texels texel_level_percent &&
+        texels texel_rms | awk '{ exit !(NF == 4 && $1 < 0.5 && $2 < 0.1 && $3 < 0.03 && $4 < 0.01 && $1 > $2 && $2 > $3 && $3 > $4 && $4 > 0) }' &&
+        texels texel_far_percent | awk '{ exit !(NF == 4 && $1 < 1 && $2 + $3 + $4 == 0) }' &&
+        texels texel_level_percent | awk '{ exit !(NF == 4 && $1 < 12 && $2 < 12 && $3 < 12 && $4 < 12) }'
+}
+tap_check "the textured demo with 32 bits shows its texels as with 16" demo_shows_its_texels
+
+ground_shows_its_texels() {
+    "$limner" measure "$work/textured.obj" --camera "$cameras" --size 160x120 --no-cost -o "$work/measured" >/dev/null &&
+        texels texel_far_percent && texels texel_level_percent &&
+        texels texel_far_percent | awk '{ exit !(NF == 4 && $1 < 1 && $2 + $3 + $4 == 0) }' &&
+        texels texel_level_percent | awk '{ exit !(NF == 4 && $1 < 12 && $2 < 12 && $3 < 12 && $4 < 12) }'
+}
+tap_check "a ground with 120,000 pictures along each side shows its texels" ground_shows_its_texels
+
+# A wall all round, endlessly far away: with 32 bits the picture is that with 16, wherever the eye is.
+sky_is_the_same() {
+    sed -e 's/^v 0 0 0/v -9 -9 0/;s/^v 1 0 0/v 9 -9 0/;s/^v 1 1 0/v 9 9 0/;s/^v 0 1 0/v -9 9 0/' tests/models/quarters.obj >"$work/wide.obj"
+    cp tests/models/quarters.* "$work" && mv "$work/wide.obj" "$work/quarters.obj" || return 1
+    printf '0 0 1 0 0 -1\n0.4 0.2 1 0.4 0.2 -1\n' >"$work/two.cam"
+    for bits in 16 32; do
+        "$limner" render "$work/quarters.obj" --camera "$work/two.cam" --sky quarters --coordinates $bits --size 64x64 \
+            --write-hashes "$work/sky$bits" 2>"$work/said" || return 1
+    done
+    cat "$work/sky16" "$work/sky32"
+    cmp "$work/sky16" "$work/sky32" && [ "$(cut -d ' ' -f 2 "$work/sky32" | sort -u | wc -l)" = 1 ] &&
+        "$limner" compile "$work/quarters.obj" --sky quarters --coordinates 32 -o "$work/sky" >/dev/null &&
+        grep '^#define LIM_HAS_SKY 1$' "$work/sky.h" && grep '^#define LIM_HAS_LONG 1$' "$work/sky.h"
+}
+tap_check "a sky is what it is with 16 bits" sky_is_the_same
+
+keeps_to_a_budget() {
+    "$limner" compile "$work/textured.obj" --texture-budget 1 -o "$work/budget" >"$work/report" 2>&1 || { cat "$work/report"; return 1; }
+    grep 'of these textures' "$work/report" && awk '/of these textures/ { exit !($4 <= 1000) }' "$work/report" &&
+        grep '^#define LIM_HAS_LONG 1$' "$work/budget.h"
+}
+tap_check "textures keep to a budget" keeps_to_a_budget
+
+# A firmware's own frames, with indices of 16 bits: the hashes are the host's.
+program_shows_the_same_texels() { # NAME OPTION...
+    name=$1
+    shift
+    "$limner" compile "$work/$name.obj" --size 64x64 "$@" -o "$work/program" >/dev/null &&
+        "$limner" render "$work/$name.obj" --camera "$cameras" --size 64x64 "$@" --method bsp --write-cameras "$work/cameras.h" \
+            --write-hashes "$work/of_host" >/dev/null 2>&1 || return 1
+    cat >"$work/main.c" <<'END'
+#include "limner.h"
+#include "program.h"
+#include "cameras.h"
+#include <stdio.h>
+static uint16_t pixels[64 * 64];
+static void *lend(void *ctx, uint16_t y_px) { (void)ctx; return &pixels[64 * y_px]; }
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px) { (void)ctx, (void)y_px, (void)x_px, (void)n_px; return 0; }
+static uint32_t mem[PROGRAM_SCENE_MEM_B(64) / 2 + 64];
+int main(void)
+{
+    const struct lim_target target = {.w_px = 64, .h_px = 64, .method = PROGRAM_SCENE_METHOD, .lend = lend, .done = done};
+    static struct lim lim;
+    if (lim_init(&lim, &program_scene, &target, mem, sizeof mem)) return 1;
+    for (unsigned frame = 0; frame < CAMERAS_COUNT; frame++) {
+        unsigned long long hash = 0xcbf29ce484222325u;
+        if (lim_frame(&lim, &cameras[frame])) return 1;
+        for (int i = 0; i < 64 * 64; i++) {
+            const unsigned char *bytes = (const unsigned char *)&pixels[i];
+            hash = (hash ^ bytes[0]) * 0x100000001b3u;
+            hash = (hash ^ bytes[1]) * 0x100000001b3u;
+        }
+        printf("%u %016llx\n", frame, hash);
+    }
+    return 0;
+}
+END
+    sources=$(ls firmware/*.c firmware/*/*.c)
+    # shellcheck disable=SC2086 # words are flags and files
+    "$CC" -std=c11 -O1 $WARNINGS -DLIM_CONFIG='"program.h"' -Ifirmware -I"$work" -o "$work/main" "$work/main.c" "$work/program.c" $sources &&
+        "$work/main" >"$work/of_program" && diff "$work/of_program" "$work/of_host"
+}
+tap_check "a program shows the host's texels" program_shows_the_same_texels textured
+tap_check "and round holes, in profile exact" program_shows_the_same_texels masked --precision exact
 
 # Files ------------------------------------------------------------------------------------------------------------------
 
@@ -209,6 +316,8 @@ file_draws_the_same() { # MODEL
     done
 }
 tap_check "the .lim file draws what the model draws" file_draws_the_same "$many"
+tap_check "the .lim file draws what textures draw" file_draws_the_same "$work/textured.obj"
+tap_check "the .lim file draws what holes draw" file_draws_the_same "$work/masked.obj"
 tap_check "the .lim file draws what glass draws" file_draws_the_same "$work/glassy.obj"
 
 damaged() { # BYTE

@@ -3,8 +3,8 @@
  * The rig behind extreme.h. */
 #include "extreme.h"
 
-#include "compiler/compile.h"
 #include "compiler/compile_mesh.h"
+#include "compiler/faithful.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 
@@ -42,7 +42,8 @@ static bool clean(struct extreme *extreme, const struct model *model, const stru
     if (!is_long)
         return mesh_clean(model, &extreme->mesh, err) &&
                reference_init(&extreme->reference, &extreme->mesh, picture->w_px, picture->h_px, err);
-    if (!compile_clean(model, options, &extreme->mesh, err) || !mesh_clean_fine(model, &extreme->mesh.grid, &fine, err))
+    if (!faithful_clean(model, options, &extreme->mesh, err) ||
+        !mesh_clean_fine(model, &extreme->mesh.grid, &fine, err))
         return false;
     const bool ok = reference_init(&extreme->reference, &fine, picture->w_px, picture->h_px, err);
     mesh_free(&fine);

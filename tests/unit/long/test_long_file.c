@@ -9,6 +9,7 @@
 #include "rigs/effort.h"
 #include "rigs/lim_bytes.h"
 #include "rigs/profiles.h"
+#include "rigs/texture_rig.h"
 #include "scene/lim_check.h"
 #include "scene/lim_image.h"
 #include "scene/scene_files.h"
@@ -20,24 +21,45 @@
 
 enum { HEADER_B = 152, VERTEX_B = 12, PLANE_B = 20, BOX_B = 24, NODE_B = 28, DAMAGES = 3000 };
 
-static char folder[] = "/tmp/test_long_file.XXXXXX";
+static char folder[32];
 static char path[64];
 static struct compiled scene;
 
-static int setup(void **state)
+static int compile_it(struct model *model)
 {
     const struct compile_options options = {
         .tolerance_units = 0.5, .splitter = "fewest", .coordinates = COORDINATES_32};
-    struct model model = {0};
     struct error err;
 
-    (void)state;
-    scales_all[1].build(&model); /* with planes of every kind, and fractions */
-    if (!compile_part(&model, NULL, &options, &scene, &err)) return -1;
-    model_free(&model);
+    if (!compile_part(model, NULL, &options, &scene, &err)) return -1;
+    model_free(model);
+    snprintf(folder, sizeof folder, "/tmp/test_long_file.XXXXXX");
     if (!mkdtemp(folder)) return -1;
     snprintf(path, sizeof path, "%s/long.lim", folder);
     return 0;
+}
+
+static int setup(void **state)
+{
+    struct model model = {0};
+
+    (void)state;
+    scales_all[1].build(&model); /* with planes of every kind, and fractions */
+    return compile_it(&model);
+}
+
+/* Mappings on planes of every kind. */
+static int setup_textured(void **state)
+{
+    static const double slanted[4][3] = {{-0.3, 0, 0}, {0.4, 0.1, 0}, {0.3, 0.6, -0.4}};
+    static const double uvs[4][2] = {{0, 1}, {1, 1}, {1, 0}};
+    struct random random = {3};
+    struct model model = {0};
+
+    (void)state;
+    texture_rig_room(&model, texture_rig_picture(&model, 16, 16, &random), 3);
+    texture_rig_face(&model, 1, 3, slanted, uvs);
+    return compile_it(&model);
 }
 
 static int teardown(void **state)
@@ -208,6 +230,76 @@ static void nodes_that_lie_are_refused(void **state)
     assert_word_refused(place_b(SECTION_NODES, slanted, NODE_B, 4), 1, "an offset beside a plane of its own");
 }
 
+/* Mappings ------------------------------------------------------------------------------------ */
+
+enum { PLACES_B = 20, MAPPING_B = 20, MAPPING_PLANE_B = 12, MAPPING_SCALE_B = 17 };
+
+/* The first mapping on an axis plane, or on another. */
+static size_t mapping_on(bool axis_plane)
+{
+    for (size_t i = 0; i < scene.scene.mapping_count; i++)
+        if (!(scene.scene.mappings[i].scale & LIM_MAPPING_UPRIGHT) != axis_plane) return i;
+    fail();
+    return 0;
+}
+
+static void mappings_that_are_written_are_read(void **state)
+{
+    struct compiled read;
+    struct error err;
+    unsigned char *bytes = lim_bytes_of(&scene, path);
+    const size_t count = scene.scene.mapping_count;
+    const struct lim_long_mapping *places = lim_scene_long(&scene.scene)->mappings;
+
+    (void)state;
+    assert_true(count > 6);
+    assert_int_equal(word_at(bytes, 56 + 4 * SECTION_UVS), count);
+    for (size_t i = 0; i < 4; i++)
+        assert_int_equal(word_at(bytes, place_b(SECTION_UVS, 5, PLACES_B, 4 * i)),
+                         (uint32_t)places[5].uv[i / 2][i % 2]);
+    assert_int_equal(word_at(bytes, place_b(SECTION_UVS, 5, PLACES_B, 16)),
+                     (uint16_t)places[5].level_q4 | (uint32_t)places[5].bits << 16);
+    if (!lim_file_read(path, &read, &err)) fail_msg("%s", err.text);
+    assert_null(*read.scene.uvs);
+    assert_memory_equal(lim_scene_long(&read.scene)->mappings, places, count * sizeof *places);
+    assert_memory_equal(read.scene.mappings, scene.scene.mappings, count * sizeof *scene.scene.mappings);
+    compiled_free(&read);
+    free(bytes);
+}
+
+static void mappings_that_lie_are_refused(void **state)
+{
+    const size_t axis = mapping_on(true), slanted = mapping_on(false);
+    const struct lim_long_mapping *places = &lim_scene_long(&scene.scene)->mappings[2];
+    const uint32_t level_bits = (uint16_t)places->level_q4 | (uint32_t)places->bits << 16;
+
+    (void)state;
+    for (size_t field = 0; field < 4; field++) {
+        assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 4 * field), INT32_MAX, "mapping 2: a vector is too long");
+        assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 4 * field), 0x80000000u,
+                            "mapping 2: a vector is too long");
+    }
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), (level_bits & 0xFFFF) | 15u << 16,
+                        "mapping 2: places of 15 bits");
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), (level_bits & 0xFFFF) | 63u << 16,
+                        "mapping 2: places of 63 bits");
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), level_bits | 1u << 24, "mapping 2: 1 where zero is");
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), (level_bits & 0xFFFF0000u) | 1024,
+                        "mapping 2: no picture has 1024 / 16 levels");
+    assert_word_refused(place_b(SECTION_UVS, 2, PLACES_B, 16), (level_bits & 0xFFFF0000u) | 0x8000,
+                        "mapping 2: no picture has -32768 / 16 levels");
+    assert_word_refused(place_b(SECTION_MAPPINGS, axis, MAPPING_B, MAPPING_PLANE_B), scene.scene.vertex_count,
+                        ": its plane is number ");
+    assert_word_refused(place_b(SECTION_MAPPINGS, axis, MAPPING_B, MAPPING_PLANE_B), UINT32_MAX,
+                        ": its plane is number ");
+    assert_word_refused(place_b(SECTION_MAPPINGS, slanted, MAPPING_B, MAPPING_PLANE_B), scene.scene.plane_count,
+                        ": its plane is number ");
+    assert_word_refused(place_b(SECTION_MAPPINGS, axis, MAPPING_B, MAPPING_SCALE_B - 1), 0xC000u,
+                        "there is no such axis");
+    assert_word_refused(56 + 4 * SECTION_UVS, 0, "damaged: the header contradicts itself");
+    assert_word_refused(56 + 4 * SECTION_UVS, scene.scene.mapping_count - 1, "damaged: the header contradicts itself");
+}
+
 /* Damage at random ---------------------------------------------------------------------------- */
 
 static void draw_everything(const struct compiled *read, struct random *random)
@@ -272,5 +364,13 @@ int main(void)
         cmocka_unit_test(damage_is_refused_or_harmless),
     };
 
-    return cmocka_run_group_tests_name("files of long scenes", tests, setup, teardown);
+    const struct CMUnitTest textured[] = {
+        cmocka_unit_test(mappings_that_are_written_are_read),
+        cmocka_unit_test(swapping_undoes_itself),
+        cmocka_unit_test(mappings_that_lie_are_refused),
+        cmocka_unit_test(damage_is_refused_or_harmless),
+    };
+
+    return cmocka_run_group_tests_name("files of long scenes", tests, setup, teardown) ||
+           cmocka_run_group_tests_name("files of long scenes with textures", textured, setup_textured, teardown);
 }
