@@ -48,10 +48,9 @@ static size_t cached_b(const struct compiled *scene)
     return (is_wide(&scene->report) ? (size_t)MCU_CACHED_WIDE_B : (size_t)MCU_CACHED_B) + index_b(scene);
 }
 
-/* As LIM_WALK_STACK_B() has it. */
-static size_t stack_b(const struct compiled *scene)
+static size_t pending_b(const struct compiled *scene)
 {
-    return 2 * scene->scene.limits.depth * (MCU_PENDING_B + index_b(scene));
+    return MCU_PENDING_B + index_b(scene);
 }
 
 static size_t aligned_b(size_t size_b)
@@ -86,8 +85,8 @@ static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps,
     const bool wide = is_wide(&scene->report), sorts = method_sorts(scene->report.draws);
     const size_t cell_b = wide ? MCU_CELL_WIDE_B : MCU_CELL_B;
     const size_t gap_b = MCU_GAP_B + (scene->report.antialias ? (size_t)MCU_GAP_SAMPLES_B : 0);
-    const size_t fixed_b =
-        MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * MCU_LINE_B + (sorts ? 0 : stack_b(scene));
+    const size_t fixed_b = MCU_CACHE_ENTRIES * cached_b(scene) + scene->report.h_px * MCU_LINE_B +
+                           (sorts ? 0 : scene->scene.limits.depth * pending_b(scene));
     return (sorts ? sorted_b(scene, pieces) : 0) +
            aligned_b(fixed_b + cells * cell_b + gaps * gap_b + active * active_b(scene)) +
            (sorts ? 0 : lim_portals_mem_b(&scene->scene) + leaves_b(scene));
@@ -129,8 +128,8 @@ static size_t mesh_b(const struct compiled *scene, size_t active)
 
 static size_t painter_b(const struct compiled *scene)
 {
-    return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + stack_b(scene)) + lim_portals_mem_b(&scene->scene) +
-           leaves_b(scene);
+    return aligned_b(MCU_CACHE_ENTRIES * cached_b(scene) + scene->scene.limits.depth * pending_b(scene)) +
+           lim_portals_mem_b(&scene->scene) + leaves_b(scene);
 }
 
 size_t mcu_mem_b(const struct compiled *scene)
