@@ -42,8 +42,11 @@ LIM_OPTIONAL_BEGIN
 struct lim_texturing {
     const struct lim_scene *scene;
     LIM_OPTIONAL(struct lim_sky *, sky, LIM_HAS_SKY);
-    struct lim_texture_axis axes[3];    /* what a half-pixel to the right and down adds to the way ahead, and that */
-    int16_t eye_high[LIM_TEXTURE_AXES]; /* with low, the eye: 256 high + low / 256 units */
+    struct lim_texture_axis axes[3]; /* what a half-pixel to the right and down adds to the way ahead, and that */
+    union {
+        int16_t eye_high[LIM_TEXTURE_AXES]; /* with low, the eye: 256 high + low / 256 units */
+        const struct lim_long_eye *far;     /* in a long scene (long.h); no low then */
+    };
     int16_t eye_low_q8[LIM_TEXTURE_AXES];
     int8_t axis_bits[3]; /* the axes are 2^these times too long */
     uint8_t far_bits;    /* no vertex is 2^far_bits units away or more */
@@ -54,7 +57,6 @@ struct lim_texturing {
     LIM_OPTIONAL(struct lim_texturing *, moved, LIM_HAS_MOVERS);
     LIM_OPTIONAL(uint16_t, numbers, LIM_HAS_MOVERS);
     LIM_OPTIONAL(uint16_t, first_texture, LIM_HAS_MOVERS);
-    LIM_OPTIONAL(const struct lim_long_eye *, far, LIM_HAS_LONG); /* of a long scene (long.h), which has no high, low */
 };
 
 LIM_OPTIONAL_END

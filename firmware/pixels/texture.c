@@ -70,7 +70,7 @@ void lim_texture_begin(struct lim_texturing *texturing, const struct lim_scene *
     texturing->far_bits = (uint8_t)(32 - clz_u32(view->rows.far_units));
     if (LIM_HAS_LONG && lim_scene_long(scene)) {
         texturing->far_bits = LIM_LONG_FAR_BITS;
-        *texturing->far = view->rows.eye;
+        texturing->far = view->rows.eye;
     } else {
         for (uint_fast8_t i = 0; i < LIM_TEXTURE_AXES; i++) {
             const int32_t at_q8 = camera->eye_q8[i % 3];

@@ -58,7 +58,7 @@ static inline struct height height_of_long(int64_t h)
 static const LIM_FLASH struct lim_long_vertex *see_plane(const struct lim_texturing *texturing,
                                                          const LIM_FLASH struct lim_mapping *mapping, struct seen *seen)
 {
-    const struct lim_long_eye *eye = *texturing->far;
+    const struct lim_long_eye *eye = texturing->far;
     const struct lim_long *all = lim_scene_long(texturing->scene);
     const LIM_FLASH struct lim_long_vertex *vertex;
     int32_t n[3] = {0, 0, 0};
@@ -86,7 +86,7 @@ static const LIM_FLASH struct lim_long_vertex *see_plane(const struct lim_textur
 
 void lim_texture_see_long(const struct lim_texturing *texturing, uint16_t number, struct seen *seen)
 {
-    const struct lim_long_eye *eye = *texturing->far;
+    const struct lim_long_eye *eye = texturing->far;
     const LIM_FLASH struct lim_mapping *mapping = &texturing->scene->mappings[number];
     const LIM_FLASH struct lim_long_mapping *places = &lim_scene_long(texturing->scene)->mappings[number];
     const LIM_FLASH struct lim_long_vertex *vertex = see_plane(texturing, mapping, seen);
