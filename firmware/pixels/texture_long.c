@@ -108,7 +108,8 @@ void lim_texture_see_long(const struct lim_texturing *texturing, uint16_t number
     seen->level_q4 =
         (int16_t)(places->level_q4 + 7 * 16 + texturing->level_q4 + log2_q4((uint32_t)seen->height.mantissa) +
                   16 * seen->height.bits + (29 * 16 + 3 * 16 * seen->depth_bits) / 2 + MIDDLE_OF_LEVEL_Q4 -
-                  3 * LIM_TEXTURE_LOG2_Q4 / 2); /* as in texture.c, where GCC wants to see it */
+                  3 * LIM_TEXTURE_LOG2_Q4 /
+                      2); /* as in see() of texture.c: one piece for both makes that 48 bytes longer */
 }
 
 #endif

@@ -82,7 +82,8 @@ static bool try_one(const struct mesh *mesh, const struct compile_options *optio
     return false;
 }
 
-/* Those that faces have. 0: too many to count. */
+/* How many points faces have: as a mesh the scene has as many vertices, or more where textures part them. 0, which
+ * excludes nothing, without memory to count them. */
 static size_t points_used(const struct mesh *mesh)
 {
     bool *is_used = calloc(mesh->point_count + 1, sizeof *is_used);

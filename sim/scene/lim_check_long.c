@@ -57,7 +57,7 @@ bool lim_check_long_planes(const struct lim_scene *scene, struct error *err)
     return true;
 }
 
-/* Of a sky's it holds, too. */
+/* A sky has no place on a plane, but its mapping keeps these bounds, too. */
 bool lim_check_long_mapping(const struct lim_scene *scene, size_t index, struct error *err)
 {
     const struct lim_mapping *mapping = &scene->mappings[index];

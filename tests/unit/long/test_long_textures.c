@@ -553,27 +553,35 @@ static void stop_orders(struct simulator simulators[ORDERS])
         simulator_free(&simulators[k]);
 }
 
-static void all_orders_paint_the_same(void **state)
+typedef struct lim_camera camera_maker(const struct stage *stage, struct random *random);
+
+static void paint_alike(const struct world *world, struct random *random, camera_maker *make_camera, int frames)
 {
-    static struct world world;
     const struct core *profiles[PROFILES_MAX];
     const size_t count = profiles_find(profiles);
-    struct random random = {9};
 
-    (void)state;
-    make_heaps(&world, &random, 20);
     for (size_t i = 0; i < count; i++) {
         struct simulator simulators[ORDERS];
         struct stage stage;
-        open_stage(&stage, &world, profiles[i], COORDINATES_32);
+        open_stage(&stage, world, profiles[i], COORDINATES_32);
         start_orders(simulators, &stage);
-        for (int f = 0; f < effort(FRAMES); f++) {
-            const struct lim_camera camera = any_camera(&stage, &random);
+        for (int f = 0; f < effort(frames); f++) {
+            const struct lim_camera camera = make_camera(&stage, random);
             draw_in_all_orders(simulators, &camera);
         }
         stop_orders(simulators);
         close_stage(&stage);
     }
+}
+
+static void all_orders_paint_the_same(void **state)
+{
+    static struct world world;
+    struct random random = {9};
+
+    (void)state;
+    make_heaps(&world, &random, 20);
+    paint_alike(&world, &random, any_camera, FRAMES);
     model_free(&world.model);
 }
 
@@ -598,29 +606,16 @@ static struct lim_camera hostile_camera(const struct stage *stage, struct random
 static void extremes_are_painted_alike(void **state)
 {
     static const double times[] = {1e-9, 1e-4, 1, 1e4, 1e6};
-    const struct core *profiles[PROFILES_MAX];
-    const size_t count = profiles_find(profiles);
+    static struct world world;
     struct random random = {10};
 
     (void)state;
     for (size_t t = 0; t < sizeof times / sizeof *times; t++) {
-        static struct world world;
         make_heaps(&world, &random, 24);
         for (size_t k = 0; k < world.model.point_count; k++)
             for (int c = 0; c < 2; c++)
                 world.model.uvs[k][c] *= times[t];
-        for (size_t i = 0; i < count; i++) {
-            struct simulator simulators[ORDERS];
-            struct stage stage;
-            open_stage(&stage, &world, profiles[i], COORDINATES_32);
-            start_orders(simulators, &stage);
-            for (int f = 0; f < effort(2 * FRAMES); f++) {
-                const struct lim_camera camera = hostile_camera(&stage, &random);
-                draw_in_all_orders(simulators, &camera);
-            }
-            stop_orders(simulators);
-            close_stage(&stage);
-        }
+        paint_alike(&world, &random, hostile_camera, 2 * FRAMES);
         model_free(&world.model);
     }
 }
