@@ -368,8 +368,9 @@ suite-kernel    := tests/kernel.sh
 suite-foreign   := tests/foreign.sh
 suite-arm64     := tests/arm64.sh
 suite-slow      := $(suite-prove) $(patsubst %,tests/%.sh,sanitize_scenes cross_cplusplus \
-	$(addprefix arm/arm_,footprint balance compare splitters) \
-	$(addprefix cpus/cpus_,rooms sorted wireframe begin m33 lx106 assert movers antialias glass cplusplus config) \
+	$(addprefix arm/arm_,footprint balance compare splitters framebuffer) \
+	$(addprefix cpus/cpus_,rooms sorted wireframe begin m33 lx106 assert movers antialias glass cplusplus config \
+		mesh_leaves mesh_textured solid) \
 	$(addprefix boards/boards_,frames card level pico esp32c3 stm32) $(addprefix export/export_,plain size) \
 	$(addprefix cli/cli_,compare scale packages trees))
 suite-extremes  := tests/cli/cli_extremes.sh
