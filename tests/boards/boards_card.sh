@@ -40,7 +40,7 @@ if needs_npm; then
 else
     tap_skip "Pico" "$(grep -m 1 'code\|missing' "$work/npm" || tail -n 1 "$work/npm")"
 fi
-if sh tests/kernel/build.sh --path >/dev/null 2>"$work/kernel"; then
+if sh tests/kernel/build.sh --path >"$work/kernel" 2>&1; then
     tap_check "Linux, a program in the tests' kernel" shows 7d9049903aed5415 BOARD=linux PANEL=ssd1306
 else
     tap_skip "Linux, a program in the tests' kernel" "$(tail -n 1 "$work/kernel")"
