@@ -108,7 +108,7 @@ static uint32_t planes_crossed(const struct lim_clip_polygon *polygon, int32_t n
 }
 
 /* The same where some have more bits. */
-static LIM_IF_CALLED uint32_t far_planes_crossed(const struct lim_clip_polygon *polygon, int32_t near_qv)
+static LIM_IF_CALLED LIM_RARE uint32_t far_planes_crossed(const struct lim_clip_polygon *polygon, int32_t near_qv)
 {
     uint32_t crossed = 0;
 
@@ -148,8 +148,11 @@ struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t n
 {
     struct lim_clip_polygon *polygon = &polygons[0], *other = &polygons[1];
 
-    uint32_t crossed = LIM_HAS_LONG && lim_clip_refine(polygon, near_qv) ? far_planes_crossed(polygon, near_qv)
-                                                                         : planes_crossed(polygon, near_qv >> 1);
+    if (LIM_HAS_LONG)
+        for (uint_fast8_t k = 0; k < polygon->n; k++)
+            if (*polygon->at[k].exponent < 0) lim_clip_coarsen(&polygon->at[k], near_qv);
+    const bool is_far = LIM_HAS_LONG && *polygon->view && lim_clip_refine(polygon, near_qv);
+    uint32_t crossed = is_far ? far_planes_crossed(polygon, near_qv) : planes_crossed(polygon, near_qv >> 1);
 
     for (uint_fast8_t number = 0; crossed && polygon->n; number++, crossed >>= 1) {
         if (!(crossed & 1)) continue;

@@ -46,10 +46,10 @@ static inline void lim_clip_load(struct lim_clip_polygon *polygon, const struct 
 struct lim_clip_plane {
     uint_fast8_t of;                /* x or y; the near plane has none: kept is 0 */
     int32_t kept, turned, near_qv2; /* bits of it that count, its sign, and half the near plane's distance */
-    LIM_OPTIONAL(uint8_t, zoom_bits, LIM_HAS_TELE); /* z has so many more than x or y */
+    LIM_OPTIONAL(uint_fast8_t, zoom_bits, LIM_HAS_TELE); /* z has so many more than x or y */
 };
 
-/* clip_far.c: of a long scene's polygon, makes each corner that is coarse beside the near plane one of LIM_VIEW_FAR.
+/* clip_far.c: of a polygon that has a view, makes each corner that is coarse beside the near plane one of LIM_VIEW_FAR.
  * Whether there is any. */
 bool lim_clip_refine(struct lim_clip_polygon *polygon, int32_t near_qv);
 

@@ -15,7 +15,8 @@
 #if LIM_HAS_LONG
 
 enum {
-    /* A corner that is not may be off by 3 of its last bits, with limbs by one: by 2^-12 of the near plane's distance. */
+    /* A corner that is not may be off by 3 of its last bits, with limbs by one: by 2^-12 of the near plane's distance.
+     */
     COARSE_BITS = LIM_HAS_LIMBS ? 12 : 14,
     WAY_LOW_BITS = 15,
     SHARE_BITS = 30,
@@ -34,7 +35,7 @@ static inline void far_put(struct lim_view_point *point, uint_fast8_t i, int64_t
 }
 
 /* Of any point. */
-static int64_t far_coordinate_of(const struct lim_view_point *point, uint_fast8_t i)
+static LIM_RARE int64_t far_coordinate_of(const struct lim_view_point *point, uint_fast8_t i)
 {
     const int_fast8_t up = (int_fast8_t)(*point->exponent - LIM_VIEW_FAR_LAST);
 
@@ -60,7 +61,7 @@ static void far_way(int64_t way_q8[3], const struct lim_long_eye *eye, lim_index
 }
 
 /* n . way: the upper part is below 2^30 sqrt(3) 2^24, the lower one below 2^30 * 3 * 2^15. */
-static int64_t far_row(const struct lim_row *row, const int64_t way_q8[3])
+static LIM_RARE int64_t far_row(const struct lim_row *row, const int64_t way_q8[3])
 {
     int64_t high = 0, low = 0;
 
@@ -78,7 +79,7 @@ static inline int64_t far_turned(int64_t z, int32_t turn_q32)
     return (z >> 32) * turn_q32 + ((int64_t)(uint32_t)z * turn_q32 >> 32);
 }
 
-static void far_set(struct lim_view_point *out, const struct lim_rows *rows, lim_index vertex)
+static LIM_RARE void far_set(struct lim_view_point *out, const struct lim_rows *rows, lim_index vertex)
 {
     int64_t way_q8[3];
 
@@ -107,13 +108,10 @@ bool lim_clip_refine(struct lim_clip_polygon *polygon, int32_t near_qv)
 
     for (uint_fast8_t k = 0; k < polygon->n; k++) {
         struct lim_view_point *const point = &polygon->at[k];
-        if (*polygon->view && *point->exponent >= least) {
-            far_set(point, &(*polygon->view)->rows, (*polygon->corners)[k]);
-            *point->corner = (uint8_t)(k + 1);
-            is_any = true;
-        } else if (*point->exponent < 0) {
-            lim_clip_coarsen(point, near_qv);
-        }
+        if (*point->exponent < least) continue;
+        far_set(point, &(*polygon->view)->rows, (*polygon->corners)[k]);
+        *point->corner = (uint8_t)(k + 1);
+        is_any = true;
     }
     return is_any;
 }
@@ -121,7 +119,7 @@ bool lim_clip_refine(struct lim_clip_polygon *polygon, int32_t near_qv)
 /* Cuts -------------------------------------------------------------------------------------------- */
 
 /* Twice the distance, |it| < 2^58. */
-static int64_t far_distance(const struct lim_view_point *point, const struct lim_clip_plane *plane)
+static LIM_RARE int64_t far_distance(const struct lim_view_point *point, const struct lim_clip_plane *plane)
 {
     const int64_t z = far_coordinate_of(point, 2) * 2 >> (LIM_HAS_TELE ? *plane->zoom_bits : 0);
     const int64_t x = plane->kept ? far_coordinate_of(point, plane->of) : 0;
@@ -129,13 +127,13 @@ static int64_t far_distance(const struct lim_view_point *point, const struct lim
     return z + (plane->turned ? -x : x) - (int64_t)plane->near_qv2 * (4 << -LIM_VIEW_FAR_LAST);
 }
 
-int32_t lim_clip_far_distance(const struct lim_view_point *point, const struct lim_clip_plane *plane)
+LIM_RARE int32_t lim_clip_far_distance(const struct lim_view_point *point, const struct lim_clip_plane *plane)
 {
     return (int32_t)(far_distance(point, plane) >> 32);
 }
 
 /* The next bits of part / whole; what is left of the part is theirs that follow. */
-static uint32_t far_share_q30(uint64_t *part, uint64_t whole)
+static LIM_RARE uint32_t far_share_q30(uint64_t *part, uint64_t whole)
 {
     uint32_t share_q30 = 0;
 
@@ -150,7 +148,7 @@ static uint32_t far_share_q30(uint64_t *part, uint64_t whole)
 }
 
 /* way (high_q30 / 2^30 + low_q60 / 2^60), |way| < 2^57; what two low parts make is less than one. */
-static int64_t far_part(int64_t way, uint32_t high_q30, uint32_t low_q60)
+static LIM_RARE int64_t far_part(int64_t way, uint32_t high_q30, uint32_t low_q60)
 {
     const int64_t way_high = way >> CUT_LOW_BITS, way_low = way & ((INT64_C(1) << CUT_LOW_BITS) - 1);
     const int64_t low = way_low * high_q30 + (way_high * low_q60 >> (SHARE_BITS - CUT_LOW_BITS));
@@ -159,8 +157,8 @@ static int64_t far_part(int64_t way, uint32_t high_q30, uint32_t low_q60)
 }
 
 /* A point of another exponent may have lost last bits, and its side with them: then it is in the plane. */
-void lim_clip_cut_far(struct lim_view_point *out, const struct lim_view_point *inner,
-                      const struct lim_view_point *outer, const struct lim_clip_plane *plane)
+LIM_RARE void lim_clip_cut_far(struct lim_view_point *out, const struct lim_view_point *inner,
+                               const struct lim_view_point *outer, const struct lim_clip_plane *plane)
 {
     const int64_t inner_d = far_distance(inner, plane), outer_d = far_distance(outer, plane);
     uint64_t part = inner_d > 0 ? (uint64_t)inner_d : 0;
@@ -176,7 +174,7 @@ void lim_clip_cut_far(struct lim_view_point *out, const struct lim_view_point *i
 }
 
 /* A cut's 29 bits leave room for the near plane, which has as many. */
-void lim_clip_end_far(struct lim_view_point *point, const struct lim_clip_polygon *begun)
+LIM_RARE void lim_clip_end_far(struct lim_view_point *point, const struct lim_clip_polygon *begun)
 {
     uint64_t size = 0;
     uint_fast8_t down = 0;
