@@ -307,14 +307,27 @@ static uint32_t face_at(const struct truth *truth, long double x_px, long double
     return face;
 }
 
-/* Whether a ray passes all edges of a flat by no more than a pixel on their outside. No flat hides another one. */
-static bool is_about(const struct truth *truth, const struct seen_flat *flat, const long double ray[3])
+/* Whether a ray passes no edge of a flat by more than so many pixels on its outside. No flat hides another one. */
+static bool is_about(const struct truth *truth, const struct seen_flat *flat, const long double ray[3],
+                     long double most_px)
 {
     const long double pixel = hypotl(2 * truth->tan_x / truth->w_px, 2 * truth->tan_y / truth->h_px);
 
     for (int k = 0; k < flat->n; k++)
-        if (dot_of(flat->edges[k], ray) > pixel * sqrtl(dot_of(flat->edges[k], flat->edges[k]))) return false;
+        if (dot_of(flat->edges[k], ray) > most_px * pixel * sqrtl(dot_of(flat->edges[k], flat->edges[k]))) return false;
     return flat->is_front;
+}
+
+/* Whether a ray is so near to an edge that either side may be shown: from above an edge, whole columns of pixels are.
+ */
+static bool is_tie(const struct truth *truth, size_t pixel, uint32_t face, uint32_t shown)
+{
+    const long double tie_px = 1.0L / 4096;
+    long double ray[3];
+
+    ray_at(truth, pixel % truth->w_px, (long double)(pixel / truth->w_px), ray);
+    return shown ? is_about(truth, &truth->flats[shown - 1], ray, tie_px)
+                 : !is_about(truth, &truth->flats[face - 1], ray, -tie_px);
 }
 
 /* What is drawn ---------------------------------------------------------------------------------- */
@@ -331,7 +344,7 @@ static bool is_around(const struct truth *truth, size_t pixel, uint32_t face)
     long double ray[3];
 
     ray_at(truth, x_px, y_px, ray);
-    if (face) return is_about(truth, &truth->flats[face - 1], ray);
+    if (face) return is_about(truth, &truth->flats[face - 1], ray, 1);
     for (int y = -LOOKS; y <= LOOKS; y++)
         for (int x = -LOOKS; x <= LOOKS; x++)
             if (!face_at(truth, x_px + (long double)x / LOOKS, y_px + (long double)y / LOOKS)) return true;
@@ -347,7 +360,7 @@ static void count_frame(const struct truth *truth, const uint32_t *faces, struct
     for (size_t pixel = 0; pixel < pixels; pixel++) {
         const uint32_t face = face_at(truth, pixel % truth->w_px, (long double)(pixel / truth->w_px));
         count->ground += face != 0;
-        if (face == faces[pixel]) continue;
+        if (face == faces[pixel] || is_tie(truth, pixel, face, faces[pixel])) continue;
         count->wrong++;
         if (is_around(truth, pixel, faces[pixel])) continue;
         count->misplaced++;
@@ -441,12 +454,12 @@ static void set_lens(const struct horizon *horizon, struct random *random, int64
 {
     const double tan_y = tan(horizon->lens_deg * acos(-1) / 360),
                  tan_x = fmin(4, tan_y * horizon->w_px / horizon->h_px);
-    const double least = 2.1 / (fmin(tan_x, tan_y) < 0.125 ? 0.5 : fmin(1, fmin(tan_x, tan_y))),
-                 most = fmin((double)high_q8 / 512, 14000);
+    const double least = 2.1 / (fmin(tan_x, tan_y) < 0.125 ? 0.5 : fmin(1, fmin(tan_x, tan_y)));
+    const double parts[] = {0, 0.5, 0.97}, wanted = (double)high_q8 / UNITS_Q8 * parts[random_u64(random) % 3];
 
     camera->tan_x_q28 = (uint32_t)(ldexp(tan_x, 28) + 0.5);
     camera->tan_y_q28 = (uint32_t)(ldexp(tan_y, 28) + 0.5);
-    camera->near_q8 = (int32_t)(256 * (random_u64(random) % 2 ? fmax(least, most) : least));
+    camera->near_q8 = (int32_t)(256 * fmin(fmax(least, wanted), 14000));
 }
 
 static struct lim_camera look(const struct horizon *horizon, bool is_room, struct random *random, int64_t reach,
@@ -469,7 +482,7 @@ static struct lim_camera look(const struct horizon *horizon, bool is_room, struc
     }
     camera.yaw = random_u64(random) % 4 ? any_angle(random, UINT32_MAX / 2) : (uint32_t)random_in(random, 0, 7) << 29;
     camera.pitch = any_angle(random, pitches[random_u64(random) % 5]);
-    if (random_u64(random) % 8 == 0) camera.pitch = -(1u << 30);
+    if (random_u64(random) % 4 == 0) camera.pitch = -(1u << 30); /* straight down */
     camera.roll = random_u64(random) % 2 ? any_angle(random, UINT32_MAX / 2) : 0;
     return camera;
 }
