@@ -66,7 +66,7 @@ void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *
                 cut_shifted(of_low, (int32_t)(31 + share.down));
         size |= (uint64_t)(at[i] ^ at[i] >> 63);
     }
-    for (; size >> 29; size >>= 1) /* as many bits as the near plane has: so neither leaves what can be divided by */
+    for (; size >> 30; size >>= 1)
         down++;
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = (int32_t)(at[i] >> down);

@@ -48,7 +48,7 @@ static inline void long_project(const struct lim_view *view, const struct lim_vi
     out->y = project_y(view, point->y_qv, depth);
 }
 
-/* A cut may have few bits left. */
+/* A cut may have few bits left, or a bit more than limbs leave room for: where z was made the near plane's. */
 void lim_view_project_long(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
 {
     struct lim_view_point scaled = *point;
@@ -56,7 +56,7 @@ void lim_view_project_long(const struct lim_view *view, const struct lim_view_po
     const uint8_t zeros = clz_u32(size | 1), up = (uint8_t)(zeros > 2 ? zeros - 2 : 0);
 
     for (uint_fast8_t i = 0; i < 3; i++)
-        scaled.qv[i] = (int32_t)((uint32_t)point->qv[i] << up);
+        scaled.qv[i] = (int32_t)((uint32_t)point->qv[i] << up) >> (LIM_HAS_LIMBS && zeros < 2);
     long_project(view, &scaled, out);
 }
 
