@@ -23,7 +23,7 @@ static inline uint8_t zoom_of(const struct lim_clip_polygon *polygon, uint_fast8
 /* Inside where >= 0; in a long scene as the point's exponent has it. */
 static inline int32_t distance(const struct lim_view_point *p, const struct lim_clip_plane *plane)
 {
-    if (lim_clip_is_far(p)) return lim_clip_far_distance(p, plane);
+    if (LIM_HAS_LONG && lim_clip_is_far(p)) return lim_clip_far_distance(p, plane);
     const int32_t quarter = (p->qv[plane->of] >> 2) & plane->kept;
 
     return (p->z_qv >> 1 >> (LIM_HAS_TELE ? *plane->zoom_bits : 0)) + ((quarter ^ plane->turned) - plane->turned) -
@@ -75,7 +75,7 @@ static uint_fast8_t clip_plane(const struct lim_view_point *from, uint_fast8_t n
         const int32_t from_d = distance(from, plane);
         if ((here_d ^ from_d) < 0 && (from_d < 0 || before_d < 0 || !are_several_outside(first, n, plane))) {
             if (LIM_HAS_WIREFRAME) lim_view_hide_edge(put, from_d < 0 || is_hidden(here));
-            if (lim_clip_is_far(here) || lim_clip_is_far(from))
+            if (LIM_HAS_LONG && (lim_clip_is_far(here) || lim_clip_is_far(from)))
                 lim_clip_cut_far(put++, from_d < 0 ? here : from, from_d < 0 ? from : here, plane);
             else
                 cut(put++, here, here_d, from, from_d);
@@ -108,7 +108,7 @@ static uint32_t planes_crossed(const struct lim_clip_polygon *polygon, int32_t n
 }
 
 /* The same where some have more bits. */
-static LIM_IF_CALLED LIM_RARE uint32_t far_planes_crossed(const struct lim_clip_polygon *polygon, int32_t near_qv)
+static LIM_IF_CALLED uint32_t far_planes_crossed(const struct lim_clip_polygon *polygon, int32_t near_qv)
 {
     uint32_t crossed = 0;
 
@@ -131,6 +131,7 @@ static inline int32_t clamp_s32(int32_t x, uint32_t limit)
 /* Rounding may leave a cut point a unit outside of the planes; the projection needs it inside. */
 static void settle(struct lim_view_point *point, int32_t least_z_qv, const struct lim_clip_polygon *begun)
 {
+    if (LIM_HAS_LONG && lim_clip_is_far(point)) lim_clip_end_far(point, begun);
     const int32_t near_qv = lim_view_near(point, least_z_qv);
 
     if (point->z_qv < near_qv) point->z_qv = near_qv;
@@ -164,9 +165,7 @@ struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t n
         other = polygon;
         polygon = clipped;
     }
-    for (uint_fast8_t k = 0; k < polygon->n; k++) {
-        if (lim_clip_is_far(&polygon->at[k])) lim_clip_end_far(&polygon->at[k], &polygons[0]);
+    for (uint_fast8_t k = 0; k < polygon->n; k++)
         settle(&polygon->at[k], near_qv, &polygons[0]);
-    }
     return polygon;
 }

@@ -53,9 +53,10 @@ struct lim_clip_plane {
  * Whether there is any. */
 bool lim_clip_refine(struct lim_clip_polygon *polygon, int32_t near_qv);
 
+/* Of a point of a long scene. */
 static inline bool lim_clip_is_far(const struct lim_view_point *point)
 {
-    return LIM_HAS_LONG && *point->exponent == LIM_VIEW_FAR;
+    return *point->exponent == LIM_VIEW_FAR;
 }
 
 /* Of such a point: negative where it is outside. */
