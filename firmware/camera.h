@@ -29,7 +29,8 @@ uint32_t lim_atan2(int32_t y, int32_t x);
 
 /* Of a lens that is narrower than LIM_TAN_TELE_Q28 in either direction z has more bits than x and y, and corners are
  * where they belong, if LIM_HAS_TELE is 1. If it is 0, the picture is shifted in profiles draft and fast, by up to half
- * a pixel of 240 at 1/64, and the near plane is farther away. */
+ * a pixel of 240 at 1/64, the near plane is farther away, and what is below 1/64 is refused. `limner compile` sets it
+ * to 1 for a --fov of less than 14 degrees and else to 0; limner itself draws as if it were 1. */
 #define LIM_TAN_MIN_Q28 (UINT32_C(1) << (LIM_HAS_TELE ? 17 : 22)) /* 1/2048, or 1/64 */
 #define LIM_TAN_TELE_Q28 (UINT32_C(1) << 25)                      /* 1/8: an angle of 14 degrees */
 #define LIM_TAN_MAX_Q28 (UINT32_C(1) << 30)                       /* 4: half an angle of 152 degrees */

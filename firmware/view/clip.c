@@ -8,17 +8,10 @@
 
 #include "math/fixed.h"
 
-/* The near plane is 0; x has planes 1 and 2, y 3 and 4, to the left or top and to the right or bottom. */
-struct clip_plane {
-    uint_fast8_t of;                /* x or y; the near plane has none: kept is 0 */
-    int32_t kept, turned, near_qv2; /* bits of it that count, its sign, and half the near plane's distance */
-    LIM_OPTIONAL(uint_fast8_t, zoom_bits, LIM_HAS_TELE); /* z has so many more than x or y */
-};
-
-static struct clip_plane plane_of(uint_fast8_t number, int32_t near_qv)
+static struct lim_clip_plane plane_of(uint_fast8_t number, int32_t near_qv)
 {
-    if (!number) return (struct clip_plane){.near_qv2 = near_qv >> 1};
-    return (struct clip_plane){.of = (uint_fast8_t)(number - 1) >> 1, .kept = -1, .turned = number & 1 ? 0 : -1};
+    if (!number) return (struct lim_clip_plane){.near_qv2 = near_qv >> 1};
+    return (struct lim_clip_plane){.of = (uint_fast8_t)(number - 1) >> 1, .kept = -1, .turned = number & 1 ? 0 : -1};
 }
 
 /* How many bits z has more than x (axis 0) or y (1). */
@@ -28,8 +21,9 @@ static inline uint8_t zoom_of(const struct lim_clip_polygon *polygon, uint_fast8
 }
 
 /* Inside where >= 0; in a long scene as the point's exponent has it. */
-static inline int32_t distance(const struct lim_view_point *p, const struct clip_plane *plane)
+static inline int32_t distance(const struct lim_view_point *p, const struct lim_clip_plane *plane)
 {
+    if (LIM_HAS_LONG && lim_clip_is_far(p)) return lim_clip_far_distance(p, plane);
     const int32_t quarter = (p->qv[plane->of] >> 2) & plane->kept;
 
     return (p->z_qv >> 1 >> (LIM_HAS_TELE ? *plane->zoom_bits : 0)) + ((quarter ^ plane->turned) - plane->turned) -
@@ -60,7 +54,7 @@ static inline bool is_hidden(const struct lim_view_point *point)
     return LIM_HAS_WIREFRAME && *point->hidden;
 }
 
-static bool are_several_outside(const struct lim_view_point *at, uint_fast8_t n, const struct clip_plane *plane)
+static bool are_several_outside(const struct lim_view_point *at, uint_fast8_t n, const struct lim_clip_plane *plane)
 {
     uint32_t outside = 0;
 
@@ -71,7 +65,7 @@ static bool are_several_outside(const struct lim_view_point *at, uint_fast8_t n,
 
 /* Returns how many `to` receives. */
 static uint_fast8_t clip_plane(const struct lim_view_point *from, uint_fast8_t n, struct lim_view_point *to,
-                               const struct clip_plane *plane)
+                               const struct lim_clip_plane *plane)
 {
     const struct lim_view_point *const first = from, *const end = from + n, *here = end - 1;
     int32_t before_d = distance(here - 1, plane), here_d = distance(here, plane);
@@ -81,7 +75,10 @@ static uint_fast8_t clip_plane(const struct lim_view_point *from, uint_fast8_t n
         const int32_t from_d = distance(from, plane);
         if ((here_d ^ from_d) < 0 && (from_d < 0 || before_d < 0 || !are_several_outside(first, n, plane))) {
             if (LIM_HAS_WIREFRAME) lim_view_hide_edge(put, from_d < 0 || is_hidden(here));
-            cut(put++, here, here_d, from, from_d);
+            if (LIM_HAS_LONG && (lim_clip_is_far(here) || lim_clip_is_far(from)))
+                lim_clip_cut_far(put++, from_d < 0 ? here : from, from_d < 0 ? from : here, plane);
+            else
+                cut(put++, here, here_d, from, from_d);
         }
         if (from_d >= 0) *put++ = *from;
         before_d = here_d;
@@ -110,6 +107,20 @@ static uint32_t planes_crossed(const struct lim_clip_polygon *polygon, int32_t n
            (uint32_t)low[1] >> 31 << 3 | (uint32_t)high[1] >> 31 << 4;
 }
 
+/* The same where some have more bits. */
+static LIM_IF_CALLED uint32_t far_planes_crossed(const struct lim_clip_polygon *polygon, int32_t near_qv)
+{
+    uint32_t crossed = 0;
+
+    for (uint_fast8_t number = 0; number < CLIP_PLANES; number++) {
+        struct lim_clip_plane plane = plane_of(number, near_qv);
+        if (LIM_HAS_TELE) *plane.zoom_bits = number ? zoom_of(polygon, plane.of) : 0;
+        for (uint_fast8_t k = 0; k < polygon->n; k++)
+            crossed |= (uint32_t)distance(&polygon->at[k], &plane) >> 31 << number;
+    }
+    return crossed;
+}
+
 /* To -limit .. limit, which is below 2^31: in one comparison, what is below -limit wraps. */
 static inline int32_t clamp_s32(int32_t x, uint32_t limit)
 {
@@ -120,6 +131,7 @@ static inline int32_t clamp_s32(int32_t x, uint32_t limit)
 /* Rounding may leave a cut point a unit outside of the planes; the projection needs it inside. */
 static void settle(struct lim_view_point *point, int32_t least_z_qv, const struct lim_clip_polygon *begun)
 {
+    if (LIM_HAS_LONG && lim_clip_is_far(point)) lim_clip_end_far(point, begun);
     const int32_t near_qv = lim_view_near(point, least_z_qv);
 
     if (point->z_qv < near_qv) point->z_qv = near_qv;
@@ -140,11 +152,12 @@ struct lim_clip_polygon *lim_clip(struct lim_clip_polygon polygons[2], int32_t n
     if (LIM_HAS_LONG)
         for (uint_fast8_t k = 0; k < polygon->n; k++)
             if (*polygon->at[k].exponent < 0) lim_clip_coarsen(&polygon->at[k], near_qv);
-    uint32_t crossed = planes_crossed(polygon, near_qv >> 1);
+    const bool is_far = LIM_HAS_LONG && *polygon->view && lim_clip_refine(polygon, near_qv);
+    uint32_t crossed = is_far ? far_planes_crossed(polygon, near_qv) : planes_crossed(polygon, near_qv >> 1);
 
     for (uint_fast8_t number = 0; crossed && polygon->n; number++, crossed >>= 1) {
         if (!(crossed & 1)) continue;
-        struct clip_plane plane = plane_of(number, near_qv);
+        struct lim_clip_plane plane = plane_of(number, near_qv);
         if (LIM_HAS_TELE) *plane.zoom_bits = number ? zoom_of(&polygons[0], plane.of) : 0;
         LIM_DEBUG_ASSERT(polygon->n < CLIP_MAX_VERTICES); /* one more may come */
         other->n = (uint8_t)clip_plane(polygon->at, polygon->n, other->at, &plane);

@@ -12,6 +12,9 @@
 struct lim_clip_polygon {
     uint8_t n;                                          /* 0: nothing is left; else 3..CLIP_MAX_VERTICES */
     LIM_OPTIONAL(uint8_t, zoom_bits, LIM_HAS_TELE * 2); /* of its view's rows */
+    /* Of a long scene, what it was loaded from: coarse corners are seen once more. NULL: it is of none. */
+    LIM_OPTIONAL(const struct lim_view *, view, LIM_HAS_LONG);
+    LIM_OPTIONAL(const LIM_FLASH lim_index *, corners, LIM_HAS_LONG);
     struct lim_view_point at[CLIP_MAX_VERTICES];
 };
 
@@ -20,6 +23,7 @@ static inline void lim_clip_begin(struct lim_clip_polygon *polygon, const struct
 {
     for (uint_fast8_t i = 0; LIM_HAS_TELE && i < 2; i++)
         polygon->zoom_bits[i] = view->rows.zoom_bits[i];
+    if (LIM_HAS_LONG) *polygon->view = NULL;
 }
 
 /* Corners of a scene in view space, all edges of which are drawn. */
@@ -27,6 +31,7 @@ static inline void lim_clip_load(struct lim_clip_polygon *polygon, const struct 
                                  const struct lim_scene *scene, const LIM_FLASH lim_index *corners, uint8_t n)
 {
     lim_clip_begin(polygon, view);
+    if (LIM_HAS_LONG && lim_scene_long(scene)) *polygon->view = view, *polygon->corners = corners;
     polygon->n = n;
     for (uint_fast8_t k = 0; k < n; k++) {
         if (LIM_HAS_LONG && lim_scene_long(scene))
@@ -36,6 +41,33 @@ static inline void lim_clip_load(struct lim_clip_polygon *polygon, const struct 
         if (LIM_HAS_WIREFRAME) lim_view_hide_edge(&polygon->at[k], false);
     }
 }
+
+/* The near plane is 0; x has planes 1 and 2, y 3 and 4, to the left or top and to the right or bottom. */
+struct lim_clip_plane {
+    uint_fast8_t of;                /* x or y; the near plane has none: kept is 0 */
+    int32_t kept, turned, near_qv2; /* bits of it that count, its sign, and half the near plane's distance */
+    LIM_OPTIONAL(uint_fast8_t, zoom_bits, LIM_HAS_TELE); /* z has so many more than x or y */
+};
+
+/* clip_far.c: of a polygon that has a view, makes each corner that is coarse beside the near plane one of LIM_VIEW_FAR.
+ * Whether there is any. */
+bool lim_clip_refine(struct lim_clip_polygon *polygon, int32_t near_qv);
+
+/* Of a point of a long scene. */
+static inline bool lim_clip_is_far(const struct lim_view_point *point)
+{
+    return *point->exponent == LIM_VIEW_FAR;
+}
+
+/* Of such a point: negative where it is outside. */
+int32_t lim_clip_far_distance(const struct lim_view_point *point, const struct lim_clip_plane *plane);
+
+/* Where the edge between two points, one of which is such a point, meets a plane that they are on either side of. */
+void lim_clip_cut_far(struct lim_view_point *out, const struct lim_view_point *inner,
+                      const struct lim_view_point *outer, const struct lim_clip_plane *plane);
+
+/* Such a point as any other: a corner as it is in its neighbours, a cut with as many bits. */
+void lim_clip_end_far(struct lim_view_point *point, const struct lim_clip_polygon *begun);
 
 /* Where an edge meets a plane between two points of different exponents, at distances of which one is negative. */
 void lim_clip_cut_long(struct lim_view_point *out, const struct lim_view_point *a, int32_t a_d,

@@ -64,6 +64,12 @@ static inline int32_t transform_long(const struct lim_row *row, const struct lim
 }
 #endif
 
+/* An entry with all its bits. */
+static inline int32_t transform_entry_qv15(const struct lim_row *row, uint_fast8_t i)
+{
+    return (int32_t)row->n_qv[i] * (INT32_C(1) << 15) + (int32_t)row->low_qv15[i];
+}
+
 /* n . d / 2^17 of a way from the eye to a point of a long scene: |n . d| < 2^61 sqrt(3). */
 static inline int32_t transform_way(const struct lim_row *row, const int32_t way[3])
 {
@@ -75,6 +81,11 @@ static inline int32_t transform_way(const struct lim_row *row, const int32_t way
 }
 
 #else
+
+static inline int32_t transform_entry_qv15(const struct lim_row *row, uint_fast8_t i)
+{
+    return (int32_t)row->n_qv[i] * (INT32_C(1) << 15);
+}
 
 /* The same, 2^-16: each product rounded down, below 2^30 sqrt(3) together. */
 static inline int32_t transform_way(const struct lim_row *row, const int32_t way[3])

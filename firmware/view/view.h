@@ -23,6 +23,18 @@ struct lim_view_point {
     };
     LIM_OPTIONAL(bool, hidden, LIM_HAS_WIREFRAME); /* the edge from here to the next point is not drawn */
     LIM_OPTIONAL(int8_t, exponent, LIM_HAS_LONG);
+    /* Where the exponent is LIM_VIEW_FAR: 32 further bits of each; and which corner of its polygon it is, from 1 on. */
+    LIM_OPTIONAL(uint8_t, corner, LIM_HAS_LONG);
+    LIM_OPTIONAL(uint32_t, low, 3 * LIM_HAS_LONG);
+};
+
+/* Exponents of a long scene: a point of whole words, as it is clipped where others are too coarse, and the least of a
+ * point that is seen without its fraction, two units or so off. */
+enum {
+    LIM_VIEW_FAR_LAST = -8,
+    LIM_VIEW_FAR = 32 + LIM_VIEW_FAR_LAST,
+    LIM_VIEW_DOT = LIM_HAS_LIMBS ? 17 : 16, /* of what transform_way() makes of a row */
+    LIM_VIEW_WHOLE_UNITS = LIM_VIEW_DOT - 8
 };
 
 /* The near plane, as far as a point's exponent has it; 1 to 2^31 - 1. */

@@ -16,7 +16,9 @@
 
 #if LIM_HAS_LONG
 
-enum { DOT_EXPONENT = LIM_HAS_LIMBS ? 17 : 16 }; /* of what transform_way() makes of a row */
+/* More than what a coordinate is off by: 3 for three products, and a unit and a half where fractions do not count. Of
+ * what is so far to the side, or so far before the near plane, the clipping decides. */
+enum { CODE_SLACK = 256 };
 
 static inline void long_transform(const struct lim_rows *rows, lim_index vertex, struct lim_view_point *out)
 {
@@ -30,7 +32,7 @@ static inline void long_transform(const struct lim_rows *rows, lim_index vertex,
         out->qv[i] = transform_way(&rows->row[i], way.d);
     out->z_qv += rows->row[2].shift_qv;
     transform_settle(rows, out->qv);
-    *out->exponent = (int8_t)(way.exponent + DOT_EXPONENT);
+    *out->exponent = (int8_t)(way.exponent + LIM_VIEW_DOT);
 }
 
 void lim_view_transform_long(const struct lim_view *view, lim_index vertex, struct lim_view_point *out)
@@ -46,7 +48,7 @@ static inline void long_project(const struct lim_view *view, const struct lim_vi
     out->y = project_y(view, point->y_qv, depth);
 }
 
-/* A cut may have few bits left. */
+/* A cut may have few bits left, or a bit more than limbs leave room for: where z was made the near plane's. */
 void lim_view_project_long(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
 {
     struct lim_view_point scaled = *point;
@@ -54,23 +56,25 @@ void lim_view_project_long(const struct lim_view *view, const struct lim_view_po
     const uint8_t zeros = clz_u32(size | 1), up = (uint8_t)(zeros > 2 ? zeros - 2 : 0);
 
     for (uint_fast8_t i = 0; i < 3; i++)
-        scaled.qv[i] = (int32_t)((uint32_t)point->qv[i] << up);
+        scaled.qv[i] = (int32_t)((uint32_t)point->qv[i] << up) >> (LIM_HAS_LIMBS && zeros < 2);
     long_project(view, &scaled, out);
 }
 
-/* As codes_outside() of view.c has them. */
+/* As codes_outside() of view.c has them, but for those of which it is not sure. */
 static LIM_RARE uint8_t long_codes(const struct lim_rows *rows, const struct lim_view_point *point)
 {
     const int32_t x_qv = (int32_t)abs_s32(point->x_qv), y_qv = (int32_t)abs_s32(point->y_qv);
     const int32_t width_qv = lim_zoomed(rows, point->z_qv, 0), height_qv = lim_zoomed(rows, point->z_qv, 1);
+    const int32_t near_qv = lim_view_near(point, rows->near_qv);
     uint8_t codes = 0;
 
-    if (point->z_qv < lim_view_near(point, rows->near_qv)) codes = LIM_VIEW_NEAR | LIM_VIEW_GUARD;
-    if (x_qv - margin_of(width_qv) > width_qv)
+    if (point->z_qv < near_qv) codes = LIM_VIEW_GUARD;
+    if (point->z_qv < near_qv - CODE_SLACK) codes |= LIM_VIEW_NEAR;
+    if (x_qv - margin_of(width_qv) - CODE_SLACK > width_qv)
         codes = (uint8_t)(codes | (point->x_qv < 0 ? LIM_VIEW_LEFT : LIM_VIEW_RIGHT));
-    if (y_qv - margin_of(height_qv) > height_qv)
+    if (y_qv - margin_of(height_qv) - CODE_SLACK > height_qv)
         codes = (uint8_t)(codes | (point->y_qv < 0 ? LIM_VIEW_TOP : LIM_VIEW_BOTTOM));
-    if (x_qv >> 1 > width_qv - 2 || y_qv >> 1 > height_qv - 2) codes |= LIM_VIEW_GUARD;
+    if (x_qv >> 1 > width_qv - CODE_SLACK || y_qv >> 1 > height_qv - CODE_SLACK) codes |= LIM_VIEW_GUARD;
     return codes;
 }
 

@@ -169,6 +169,8 @@ static void print_tree(const struct compiled *scene)
     if (report->tree != TREE_MESH)
         printf("  %-28s %8.4f units\n", "worst wrong side, certified", report->worst_violation_units);
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
+    printf("  %-28s %8s\n", "exact through lenses",
+           report->tele ? "of any angle" : "of 14 degrees and more; of less: --fov");
     if (is_predicted(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
     if (report->path.count)

@@ -81,7 +81,8 @@ long_lenses_are_told() {
     tele() { # VALUE OPTION...
         value=$1
         shift
-        "$limner" compile ../pyramid.obj "$@" -o made/tele >../report && grep -q "define LIM_HAS_TELE $value" made/tele.h
+        "$limner" compile ../pyramid.obj "$@" -o made/tele >../report && grep -q "define LIM_HAS_TELE $value" made/tele.h &&
+            grep "exact through lenses" ../report | grep -q "$([ "$value" = 1 ] && echo 'of any angle' || echo 'of less: --fov')"
     }
     tele 0 && tele 0 --fov 15 && tele 1 --fov 14 && tele 1 --fov 1 && tele 0 --fov 20 --size 100x70 && tele 1 --fov 20 --size 60x100 &&
         tele 1 --size 1x200 && tele 1 --size 200x1 && rm made/tele.*
@@ -92,7 +93,7 @@ tap_check "the report says what became of the model" reports
 tap_check "--report alone writes nothing" report_alone_writes_nothing
 tap_check "a scene file shows what its model shows" renders_alike
 tap_check "files of an earlier run are replaced" replaces_old_files
-tap_check "firmware has what long lenses take if it is told of one" long_lenses_are_told
+tap_check "firmware has what long lenses take if it is told of one, and the report says so" long_lenses_are_told
 
 refuse "compile without a model is refused" '^limner: compile: needs a model'
 refuse "compile without a name is refused" '^limner: compile: needs -o NAME' ../pyramid.obj

@@ -45,7 +45,7 @@ static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 
 struct lim_camera fuzz_camera_from(struct fuzz_bytes *bytes)
 {
-    struct lim_camera camera;
+    struct lim_camera camera = {.origin = {0}};
 
     for (int i = 0; i < 3; i++)
         camera.eye_q8[i] = (int32_t)fuzz_u32(bytes);

@@ -212,6 +212,63 @@ static void make_leaves(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     }
 }
 
+/* Many scales -------------------------------------------------------------------------------- */
+
+/* Boxes have room for fractions. */
+#define FUZZ_LONG_END (LIM_LONG_END - 2)
+
+/* Most of any size about as likely, and the ends of the grid. */
+static int32_t long_coordinate(struct fuzz_bytes *bytes)
+{
+    const int32_t value = (int32_t)fuzz_u32(bytes) >> fuzz_below(bytes, 32);
+
+    return value < -FUZZ_LONG_END ? -FUZZ_LONG_END : value > FUZZ_LONG_END ? FUZZ_LONG_END : value;
+}
+
+/* A coordinate of another vertex, or nearly, or any: so faces lie on axis planes, and through one another. */
+static void make_long_vertices(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    for (lim_index i = 0; i < made->scene.vertex_count; i++)
+        for (int axis = 0; axis < 3; axis++) {
+            const uint8_t kind = fuzz_below(bytes, 3);
+            int32_t at = i && kind ? made->long_vertices[fuzz_below(bytes, i)].at[axis] : long_coordinate(bytes);
+            if (kind == 2) at += (int8_t)fuzz_u8(bytes);
+            if (at < -FUZZ_LONG_END || at > FUZZ_LONG_END) at = 0;
+            made->long_vertices[i].at[axis] = at;
+        }
+}
+
+static void make_long_plane(struct fuzz_scene *made, struct lim_node *node, struct fuzz_bytes *bytes)
+{
+    const lim_index vertex = fuzz_below(bytes, made->scene.vertex_count);
+    struct lim_long_plane *plane = &made->long_planes[made->scene.plane_count];
+
+    if (node->split.plane >= LIM_PLANE_X) {
+        node->split.offset = (int32_t)vertex;
+        return;
+    }
+    node->split = (struct lim_plane_ref){made->scene.plane_count++, 0};
+    for (int i = 0; i < 3; i++)
+        plane->n[i] = (int32_t)fuzz_u32(bytes) / 2;
+    if (!plane->n[0] && !plane->n[1] && !plane->n[2]) plane->n[2] = 1;
+    plane->rest = (int32_t)fuzz_u32(bytes);
+    plane->vertex = vertex;
+}
+
+/* In place of vertices and planes that are made already. */
+static void make_wide(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    made->all = (struct lim_long){.vertices = made->long_vertices,
+                                  .planes = made->long_planes,
+                                  .boxes = made->long_boxes,
+                                  .fractions = made->scene.fractions};
+    *made->scene.of_32_bits = &made->all;
+    made->scene.plane_count = made->scene.exact_count = 0;
+    make_long_vertices(made, bytes);
+    for (lim_index i = 0; i < made->scene.node_count; i++)
+        make_long_plane(made, &made->nodes[i], bytes);
+}
+
 /* Boxes -------------------------------------------------------------------------------------- */
 
 /* As the compiler makes them; some nodes have none. */
@@ -223,7 +280,10 @@ static void make_boxes(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     for (lim_index i = made->scene.node_count; i-- > 0;) {
         if (!bounds[i].polygons || fuzz_below(bytes, 2)) continue;
         made->nodes[i].box = made->scene.box_count;
-        made->boxes[made->scene.box_count++] = bounds_box(&bounds[i]);
+        if (lim_scene_long(&made->scene))
+            made->long_boxes[made->scene.box_count++] = bounds_long_box(&bounds[i]);
+        else
+            made->boxes[made->scene.box_count++] = bounds_box(&bounds[i]);
     }
 }
 
@@ -241,10 +301,11 @@ static void make_bare(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     make_vertices(made, bytes);
 }
 
-static void make(struct fuzz_scene *made, struct fuzz_bytes *bytes, bool is_chain)
+static void make(struct fuzz_scene *made, struct fuzz_bytes *bytes, bool is_chain, bool is_long)
 {
     make_bare(made, bytes);
     make_nodes(made, bytes, is_chain);
+    if (is_long) make_wide(made, bytes);
     make_boxes(made, bytes);
     made->scene.limits.retained_cells = fuzz_u8(bytes);
     made->scene.limits.gaps = fuzz_u8(bytes);
@@ -254,12 +315,17 @@ static void make(struct fuzz_scene *made, struct fuzz_bytes *bytes, bool is_chai
 
 void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
-    make(made, bytes, false);
+    make(made, bytes, false, false);
 }
 
 void fuzz_scene_make_chain(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
-    make(made, bytes, true);
+    make(made, bytes, true, false);
+}
+
+void fuzz_scene_make_long(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    make(made, bytes, false, true);
 }
 
 /* Three vertices of which no two are the same. */

@@ -6,7 +6,7 @@
 #define TESTS_FUZZ_SCENE_H
 
 #include "fuzz.h"
-#include "scene.h"
+#include "long.h"
 
 enum {
     FUZZ_VERTICES_MAX = 16,
@@ -41,12 +41,19 @@ struct fuzz_scene {
     uint8_t texels[FUZZ_TEXEL_BLOCKS * LIM_TEXEL_BLOCK];
     struct lim_place places[2 * FUZZ_NODES_MAX];
     uint8_t pvs[FUZZ_SIGHT_BYTES];
+    struct lim_long all;
+    struct lim_long_vertex long_vertices[FUZZ_VERTICES_MAX];
+    struct lim_long_plane long_planes[FUZZ_NODES_MAX];
+    struct lim_long_box long_boxes[FUZZ_NODES_MAX];
 };
 
 void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes);
 
 /* Without forks: what LIM_CONVEX takes. */
 void fuzz_scene_make_chain(struct fuzz_scene *made, struct fuzz_bytes *bytes);
+
+/* With coordinates of 32 bits. */
+void fuzz_scene_make_long(struct fuzz_scene *made, struct fuzz_bytes *bytes);
 
 /* Triangles without a tree: what LIM_MESH and LIM_MESH_DEPTH take. */
 void fuzz_scene_make_mesh(struct fuzz_scene *made, struct fuzz_bytes *bytes);

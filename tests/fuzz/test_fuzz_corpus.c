@@ -92,6 +92,12 @@ static void any_valid_scene_is_drawn(void **state)
     replay_corpus("render");
 }
 
+static void any_valid_scene_of_many_scales_is_drawn(void **state)
+{
+    (void)state;
+    replay_corpus("long");
+}
+
 static void any_valid_scene_looks_the_same_by_any_means(void **state)
 {
     (void)state;
@@ -170,6 +176,7 @@ int main(void)
         cmocka_unit_test(any_text_is_a_camera_file_or_refused),
         cmocka_unit_test(any_bytes_are_a_scene_or_refused),
         cmocka_unit_test(any_valid_scene_is_drawn),
+        cmocka_unit_test(any_valid_scene_of_many_scales_is_drawn),
         cmocka_unit_test(any_valid_scene_looks_the_same_by_any_means),
         cmocka_unit_test(any_triangles_are_a_mesh_by_any_means),
         cmocka_unit_test(any_objects_move_in_any_valid_scene),

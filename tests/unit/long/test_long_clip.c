@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Clipping where corners have exponents of their own, one a step away and another at the horizon, against long doubles:
- * what is left is inside, cuts lie on their edges, and two polygons that share an edge get the same cuts. */
+ * what is left is inside, cuts lie on their edges, and two polygons that share an edge get the same cuts. Of a scene's
+ * corners also where the eye is much nearer to the edge than their last bits could tell. */
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/random.h"
@@ -334,6 +335,277 @@ static void neighbours_share_their_cuts_by_long_lenses(void **state)
     report_pairs("long lenses", &counts);
 }
 
+/* Corners of a scene ------------------------------------------------------------------------------ */
+
+/* Two triangles a b c and b a d. */
+struct pair {
+    struct lim_long_vertex vertices[4];
+    struct lim_fraction fractions[4];
+    struct lim_node node;
+    struct lim_long all;
+    struct lim_scene scene;
+    struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
+    struct lim_view view;
+    struct seeing seeing[2]; /* by a long lens, along x and along y */
+    long double at[4][3];    /* as the rows have them, of all bits, which doubles of 64 bits hold but for the last */
+};
+
+static struct lim_camera any_camera(struct random *random, int most_zoom_bits)
+{
+    struct lim_camera camera = {.near_q8 = 512 << random_in(random, 0, 8)};
+    const int zoom_bits = (int)random_in(random, 0, most_zoom_bits);
+
+    for (int i = 0; i < 3; i++) {
+        camera.origin[i] = (int32_t)random_in(random, -1000, 1000);
+        camera.eye_q8[i] = (int32_t)random_in(random, 0, 255);
+    }
+    camera.yaw = (uint32_t)random_u64(random);
+    camera.pitch = (uint32_t)random_u64(random);
+    camera.roll = (uint32_t)random_u64(random);
+    camera.tan_x_q28 = UINT32_C(0x0F000000) >> zoom_bits;
+    camera.tan_y_q28 = UINT32_C(0x0B000000) >> zoom_bits;
+    return camera;
+}
+
+static void pair_begin(struct pair *pair, const struct lim_camera *camera)
+{
+    *pair = (struct pair){0};
+    pair->all = (struct lim_long){.vertices = pair->vertices, .fractions = pair->fractions};
+    pair->node = (struct lim_node){.split = {LIM_PLANE_X, 0}, .front_run = LIM_NO_INDEX, .back_run = LIM_NO_INDEX};
+    pair->node.front = pair->node.back = pair->node.box = LIM_NO_INDEX;
+    pair->scene = (struct lim_scene){.of_32_bits = {&pair->all}, .vertex_count = 4, .nodes = &pair->node};
+    pair->scene.node_count = 1;
+    lim_view_init(&pair->view, 240, 180, pair->cache);
+    assert_true(lim_view_begin(&pair->view, &pair->scene, camera));
+    *pair->view.rows.eye = (struct lim_long_eye){.all = &pair->all};
+    for (int i = 0; i < 3; i++) {
+        pair->view.rows.eye->at[i] = camera->origin[i];
+        pair->view.rows.eye->fraction_q8[i] = (uint8_t)camera->eye_q8[i];
+    }
+    for (int i = 0; i < 2; i++)
+        pair->seeing[i] = (struct seeing){pair->view.rows.near_qv, LIM_HAS_TELE ? pair->view.rows.zoom_bits[i] : 0};
+}
+
+static long double entry_of(const struct lim_row *row, int i)
+{
+    long double entry = row->n_qv[i];
+
+#if LIM_HAS_LIMBS
+    entry += ldexpl(row->low_qv15[i], -15);
+#endif
+    return entry;
+}
+
+/* Puts a vertex some way from the eye, and says where the rows have it. */
+static void pair_put(struct pair *pair, struct random *random, int vertex, const long double way[3])
+{
+    const struct lim_rows *rows = &pair->view.rows;
+    long double exact[3];
+
+    for (int i = 0; i < 3; i++)
+        pair->vertices[vertex].at[i] = rows->eye->at[i] + (int32_t)way[i];
+    pair->fractions[vertex] =
+        (struct lim_fraction){(int8_t)random_in(random, -128, 127), (int8_t)random_in(random, -128, 127),
+                              (int8_t)random_in(random, -128, 127)};
+    const int8_t fractions[3] = {pair->fractions[vertex].x_q8, pair->fractions[vertex].y_q8,
+                                 pair->fractions[vertex].z_q8};
+    for (int i = 0; i < 3; i++)
+        exact[i] = (int32_t)way[i] + (fractions[i] - rows->eye->fraction_q8[i]) / 256.0L;
+    for (int row = 0; row < 3; row++) {
+        pair->at[vertex][row] = 0;
+        for (int i = 0; i < 3; i++)
+            pair->at[vertex][row] += entry_of(&rows->row[row], i) * exact[i];
+    }
+    for (int i = 0; LIM_TURNS_ROWS && i < 2; i++)
+        pair->at[vertex][i] += pair->at[vertex][2] * ldexpl(rows->turn_q32[i], -32);
+    if (!LIM_HAS_LIMBS) pair->at[vertex][2] = ldexpl(pair->at[vertex][2], -rows->tele_bits);
+}
+
+/* Of a plane, in its own measure. */
+static long double pair_inside(const struct pair *pair, const long double at[3], int plane)
+{
+    return inside_of(at, plane, &pair->seeing[plane > 2]);
+}
+
+static bool is_clearly_inside(const struct pair *pair, int vertex)
+{
+    for (int plane = 0; plane < PLANES; plane++)
+        if (pair_inside(pair, pair->at[vertex], plane) < 0.01L * length_of(pair->at[vertex])) return false;
+    return true;
+}
+
+static void any_way(struct random *random, int least_bits, int most_bits, long double way[3])
+{
+    const long double size = exp2l(least_bits + (most_bits - least_bits) * random_unit(random));
+
+    for (int i = 0; i < 3; i++)
+        way[i] = size * (2 * random_unit(random) - 1);
+}
+
+/* An edge that passes within some units of the eye, from somewhere to somewhere on the other side; the other corners
+ * are inside. false: they are not found. */
+static bool pair_build(struct pair *pair, struct random *random)
+{
+    const int bits = (int)random_in(random, 4, 29);
+    long double there[3], aside[2][3];
+
+    any_way(random, bits, bits, there);
+    for (int i = 0; i < 2; i++) {
+        const long double size = i ? -exp2l(-(int)random_in(random, 0, bits - 4)) : 1;
+        any_way(random, 2, 8, aside[i]);
+        for (int axis = 0; axis < 3; axis++)
+            aside[i][axis] += size * there[axis];
+        pair_put(pair, random, i, aside[i]);
+    }
+    for (int vertex = 2; vertex < 4; vertex++) {
+        int tries = 1000;
+        do {
+            any_way(random, 4, 29, there);
+            pair_put(pair, random, vertex, there);
+        } while (!is_clearly_inside(pair, vertex) && --tries);
+        if (!tries) return false;
+    }
+    return true;
+}
+
+static struct lim_clip_polygon *clip_corners(struct lim_clip_polygon polygons[2], const struct pair *pair,
+                                             const lim_index corners[3])
+{
+    memset(polygons, 0xA5, 2 * sizeof *polygons);
+    lim_clip_load(&polygons[0], &pair->view, &pair->scene, corners, 3);
+    return lim_clip(polygons, pair->view.rows.near_qv);
+}
+
+struct scene_counts {
+    size_t cuts, corners, moved, unshared;
+    long double most_off; /* of what is allowed */
+};
+
+/* The part of the edge that is inside. false: none is, or by a hair. */
+static bool pair_part(const struct pair *pair, long double ends[2], int planes[2])
+{
+    ends[0] = 0, ends[1] = 1, planes[0] = planes[1] = -1;
+    for (int plane = 0; plane < PLANES; plane++) {
+        const long double d = pair_inside(pair, pair->at[0], plane), e = pair_inside(pair, pair->at[1], plane);
+        if (d < 0 && e < 0) return false;
+        if (d < 0 && d / (d - e) > ends[0]) ends[0] = d / (d - e), planes[0] = plane;
+        if (e < 0 && d / (d - e) < ends[1]) ends[1] = d / (d - e), planes[1] = plane;
+    }
+    return ends[0] < ends[1];
+}
+
+/* How far a point is off a cut, beside 2^-10 of the near plane's distance, and more along an edge that meets the plane
+ * at a small angle; and 2^-24 of the cut's own distance. */
+static long double off_cut(const struct pair *pair, const struct lim_view_point *point, const long double cut[3],
+                           long double steepness)
+{
+    long double there[3], way[3];
+
+    place(point, there);
+    for (int i = 0; i < 3; i++)
+        way[i] = there[i] - cut[i];
+    return length_of(way) / (ldexpl(pair->view.rows.near_qv, -10) / steepness + ldexpl(length_of(cut), -24));
+}
+
+static const struct lim_view_point *nearest_to(const struct pair *pair, const struct lim_clip_polygon *polygon,
+                                               const long double cut[3], long double steepness, long double *off)
+{
+    const struct lim_view_point *best = NULL;
+
+    *off = INFINITY;
+    for (int k = 0; k < polygon->n; k++) {
+        const long double here = off_cut(pair, &polygon->at[k], cut, steepness);
+        if (here >= *off) continue;
+        *off = here;
+        best = &polygon->at[k];
+    }
+    return best;
+}
+
+/* How much nearer to a plane the edge comes by one step along it. */
+static long double steepness_of(const struct pair *pair, int plane)
+{
+    const long double d = pair_inside(pair, pair->at[0], plane), e = pair_inside(pair, pair->at[1], plane);
+    long double way[3];
+
+    for (int i = 0; i < 3; i++)
+        way[i] = pair->at[1][i] - pair->at[0][i];
+    return fabsl(d - e) / length_of(way);
+}
+
+static void count_corners(const struct pair *pair, const struct lim_clip_polygon *polygon, const lim_index corners[3],
+                          struct scene_counts *counts)
+{
+    for (int k = 0; k < 3; k++) {
+        struct lim_view_point corner;
+        if (!is_clearly_inside(pair, (int)corners[k])) continue;
+        lim_view_transform_long(&pair->view, corners[k], &corner);
+        if (*corner.exponent < 0) continue; /* it may have been made coarser */
+        counts->corners++;
+        counts->moved += !holds(polygon, &corner);
+    }
+}
+
+static void count_pair(const struct pair *pair, struct scene_counts *counts)
+{
+    static const lim_index one[3] = {0, 1, 2}, other[3] = {1, 0, 3};
+    struct lim_clip_polygon places[2][2];
+    const struct lim_clip_polygon *left = clip_corners(places[0], pair, one);
+    const struct lim_clip_polygon *right = clip_corners(places[1], pair, other);
+    long double ends[2];
+    int planes[2];
+
+    count_corners(pair, left, one, counts);
+    count_corners(pair, right, other, counts);
+    if (!pair_part(pair, ends, planes)) return;
+    for (int end = 0; end < 2; end++) {
+        long double cut[3], off;
+        if (planes[end] < 0) continue;
+        for (int i = 0; i < 3; i++)
+            cut[i] = pair->at[0][i] + (pair->at[1][i] - pair->at[0][i]) * ends[end];
+        const long double steepness = steepness_of(pair, planes[end]);
+        if (steepness < 0.2L) continue;
+        const struct lim_view_point *point = nearest_to(pair, left, cut, steepness, &off);
+        counts->cuts++;
+        counts->most_off = fmaxl(counts->most_off, off);
+        counts->unshared += !point || !holds(right, point);
+    }
+}
+
+static void check_scenes(uint64_t seed, int most_zoom_bits)
+{
+    struct random random = {seed};
+    struct scene_counts counts = {0};
+
+    for (int k = 0; k < effort(PAIRS) / 8; k++) {
+        const struct lim_camera camera = any_camera(&random, most_zoom_bits);
+        static struct pair pair;
+        pair_begin(&pair, &camera);
+        if (pair_build(&pair, &random)) count_pair(&pair, &counts);
+    }
+    printf("# scenes' corners: %zu cuts, at most %.3Lf of what is allowed off, %zu not the neighbour's; %zu of %zu "
+           "corners "
+           "are not where they are unclipped\n",
+           counts.cuts, counts.most_off, counts.unshared, counts.moved, counts.corners);
+    assert_true(counts.cuts > (size_t)effort(PAIRS) / 100 && counts.corners > (size_t)effort(PAIRS) / 10);
+    assert_true(counts.most_off <= 1);
+    assert_int_equal(counts.unshared, 0);
+    assert_int_equal(counts.moved, 0);
+}
+
+static void edges_that_pass_the_eye_are_cut_where_they_are(void **state)
+{
+    (void)state;
+    check_scenes(165, 0);
+}
+
+static void by_long_lenses_too(void **state)
+{
+    (void)state;
+    if (!LIM_HAS_TELE) skip();
+    check_scenes(166, 5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -341,6 +613,8 @@ int main(void)
         cmocka_unit_test(neighbours_of_all_sizes_share_their_cuts),
         cmocka_unit_test(neighbours_from_here_to_the_horizon_share_their_cuts),
         cmocka_unit_test(neighbours_share_their_cuts_by_long_lenses),
+        cmocka_unit_test(edges_that_pass_the_eye_are_cut_where_they_are),
+        cmocka_unit_test(by_long_lenses_too),
     };
 
     return cmocka_run_group_tests_name("clipping in long scenes", tests, NULL, NULL);
