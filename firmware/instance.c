@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "scene.h"
+#include "instance.h"
 
 #include "math/orientation.h"
 

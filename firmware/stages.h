@@ -236,6 +236,7 @@ struct lim_plane_unpacked {
     lim_word_s64 slack; /* |n . p - d| up to this is on it: newell.h */
     bool narrow;        /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
     uint8_t axis;       /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
+    LIM_OPTIONAL(uint8_t, along, LIM_HAS_LONG); /* in a mover's frame: an axis of which n is LIM_FAR_AXIS; or that */
 };
 
 struct lim_portals {

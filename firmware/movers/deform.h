@@ -6,7 +6,7 @@
 #ifndef LIM_DEFORM_H
 #define LIM_DEFORM_H
 
-#include "scene.h"
+#include "instance.h"
 #include "stages.h"
 #include "view/plane_unpacked.h"
 

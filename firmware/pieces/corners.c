@@ -52,7 +52,9 @@ void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *s
 {
     const uint16_t owner = lim_entry_owner(sorter, entry);
 
-    if (!LIM_HAS_MOVERS || owner == LIM_NONE) {
+    if (LIM_HAS_FAR_MOVERS && owner == LIM_NONE && lim_movers_are_far(sorter->movers)) {
+        lim_plane_unpack_far(plane, *sorter->movers->far, lim_plane_of(sorter, entry));
+    } else if (!LIM_HAS_MOVERS || owner == LIM_NONE) {
         lim_plane_load_own(plane, sorter, entry);
     } else if (LIM_OPTIMISE_SIZE || (LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, entry))) {
         lim_plane_load_own(plane, sorter, entry);
@@ -91,6 +93,8 @@ static void load_corners(struct lim_corners *corners, const struct lim_sorter *s
     const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
 
     corners->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers))
+        *corners->exponent = lim_mover_exponent(sorter->movers, lim_entry_owner(sorter, entry));
     for (uint_fast8_t k = 0; k < corners->n; k++)
         lim_entry_corner(sorter, entry, record[LIM_POLYGON_HEAD_WORDS + k], corners->at_q12[k]);
 }
@@ -122,6 +126,8 @@ static bool cut_to(struct lim_corners *front, struct lim_corners *back, const st
 
     for (uint_fast8_t side = 0; side < 2; side++)
         if (parts[side]) parts[side]->n = 0;
+    for (uint_fast8_t side = 0; LIM_HAS_FAR_MOVERS && side < 2; side++)
+        if (parts[side]) *parts[side]->exponent = *from->exponent;
     for (uint_fast8_t k = 0; k < from->n; k++) {
         const int32_t *here = from->at_q12[k];
         const int64_t value = lim_corner_value(plane, here);
@@ -218,7 +224,7 @@ static const struct lim_corners *cut_corners(const struct lim_sorter *sorter, ui
             cut_before(newell, newell->polygons[entry].cuts, are_of_movers(sorter) ? count - 1 - k : k);
         struct lim_corners *const there = here == &places[0] ? &places[1] : &places[0];
         struct lim_plane_unpacked plane;
-        lim_plane_load(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX);
+        lim_plane_load_for(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX, lim_entry_owner(sorter, entry));
         if (!clip_to(there, here, &plane, newell->cuts[cut].by & LIM_CUT_FRONT, most)) return NULL;
         here = there;
     }
@@ -228,6 +234,7 @@ static const struct lim_corners *cut_corners(const struct lim_sorter *sorter, ui
 static const struct lim_corners *copy_corners(struct lim_corners *to, const struct lim_corners *from)
 {
     to->n = from->n;
+    if (LIM_HAS_FAR_MOVERS) *to->exponent = *from->exponent;
     for (uint_fast8_t k = 0; k < from->n; k++)
         for (uint_fast8_t i = 0; i < 3; i++)
             to->at_q12[k][i] = from->at_q12[k][i];

@@ -5,7 +5,9 @@
 #ifndef LIM_CORNERS_H
 #define LIM_CORNERS_H
 
+#include "movers/mover_long.h"
 #include "orders.h"
+#include "pieces/entry.h"
 #include "view/plane_unpacked.h"
 
 /* Holds something that moves, along the scene's axes. |coordinate| <= 2^28. */
@@ -29,6 +31,15 @@ void lim_plane_load_own(struct lim_plane_unpacked *plane, const struct lim_sorte
 
 /* The same in the static scene. */
 void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry);
+
+/* The same as mover `to` has it, in whose frame corners are in a long scene: for what is asked of its corners. */
+static inline void lim_plane_load_for(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry,
+                                      uint16_t to)
+{
+    lim_plane_load(plane, sorter, entry);
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers))
+        lim_plane_bring(plane, sorter->movers, lim_entry_owner(sorter, entry), to);
+}
 
 /* Of the corners of an entry, in one of two places, those of the part on one side of a plane, in the other. NULL: as
  * below. */

@@ -139,7 +139,7 @@ uint8_t lim_piece_sides(const struct lim_sorter *sorter, uint16_t of, uint16_t b
         const uint8_t sides = sides_at_home(sorter, of, &plane);
         if (whole || sides != LIM_SIDE_BOTH) return sides;
     }
-    lim_plane_load(&plane, sorter, by);
+    lim_plane_load_for(&plane, sorter, by, lim_entry_owner(sorter, of));
     const uint8_t sides = sides_of_whole(sorter, of, &plane);
     return whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(sorter, of, &plane);
 }
@@ -194,12 +194,16 @@ static LIM_RARE bool project_corners(const struct lim_sorter *sorter, const stru
 {
     struct lim_clip_polygon clips[2];
     uint8_t bits;
-    const struct lim_view *view = view_of(sorter, &bits);
+    const bool is_far = LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers);
+    const struct lim_view *view = is_far ? &sorter->pass->view : view_of(sorter, &bits);
 
     lim_clip_begin(&clips[0], view);
     clips[0].n = corners->n;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
-        view_corner(sorter, corners->at_q12[k], &clips[0].at[k]);
+        if (LIM_HAS_FAR_MOVERS && is_far)
+            lim_far_view_corner(view, *corners->exponent, corners->at_q12[k], &clips[0].at[k]);
+        else
+            view_corner(sorter, corners->at_q12[k], &clips[0].at[k]);
         lim_view_hide_edge(&clips[0].at[k], false);
     }
     const struct lim_clip_polygon *clipped = lim_clip(clips, view->rows.near_qv);
@@ -272,7 +276,7 @@ static bool piece_project(struct lim_sorter *sorter, uint16_t of, uint16_t by, u
     if (part == LIM_SIDE_BOTH) {
         corners = lim_corners_of(sorter, of, places);
     } else {
-        lim_plane_load(&plane, sorter, by);
+        lim_plane_load_for(&plane, sorter, by, lim_entry_owner(sorter, of));
         corners = lim_corners_cut(sorter, of, &plane, (part == LIM_SIDE_FRONT) == polygons[by].eye_in_front, places);
     }
     return corners && project_corners(sorter, corners, out);
@@ -316,7 +320,7 @@ static LIM_IF_CALLED bool split_corners(struct lim_sorter *sorter, uint16_t entr
     struct lim_plane_unpacked plane;
 
     if (LIM_OPTIMISE_SIZE) return true;
-    lim_plane_load(&plane, sorter, by);
+    lim_plane_load_for(&plane, sorter, by, lim_entry_owner(sorter, entry));
     return lim_corners_split(sorter, entry, &plane, sorter->newell->cuts_used);
 }
 
@@ -330,7 +334,9 @@ static bool find_bounds(struct lim_sorter *sorter, uint16_t entry, bool on_scree
 
     if (!corners) return false;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
-        const int32_t z_qv = depth_of(sorter, corners->at_q12[k]);
+        const int32_t z_qv = LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers)
+                                 ? lim_far_depth(sorter->movers, *corners->exponent, corners->at_q12[k])
+                                 : depth_of(sorter, corners->at_q12[k]);
         if (z_qv < near_qv) near_qv = z_qv;
         if (z_qv > far_qv) far_qv = z_qv;
     }

@@ -5,6 +5,7 @@
 #include "routes/mover_split.h"
 
 #include "eye.h"
+#include "movers/mover_long.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "pieces/piece.h"
@@ -26,6 +27,17 @@ struct divider {
     uint16_t entry; /* the plane's own, once it has cut something */
     int32_t eye_side;
 };
+
+/* In a long scene, the same in the frame of a mover; else as it is. The place: for what is brought there. */
+static LIM_INLINE const struct divider *divider_for(const struct divider *divider, const struct lim_sorter *sorter,
+                                                    uint16_t entry, struct divider *place)
+{
+    if (!LIM_HAS_FAR_MOVERS || !lim_movers_are_far(sorter->movers)) return divider;
+    *place = *divider;
+    lim_plane_bring(&place->plane, sorter->movers, divider->mover, lim_entry_owner(sorter, entry));
+    if (divider->mover == LIM_NONE) place->own = place->plane;
+    return place;
+}
 
 /* Where the eye is, or the side that is walked first. */
 static uint8_t near_side(const struct divider *divider)
@@ -53,7 +65,9 @@ static int64_t reach_to(const struct lim_mover *mover, const struct lim_plane_un
         box += (int64_t)abs_s32(plane->n[i]) * mover->half_q12[i];
     }
     /* As in mover.c, the normal's length. */
-    const int64_t length = longest + (plane->slack - longest) * 107 / 256 + 1;
+    const int64_t sum =
+        LIM_HAS_LONG ? (int64_t)abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]) : plane->slack;
+    const int64_t length = longest + (sum - longest) * 107 / 256 + 1;
     const int64_t ball = length * mover->radius_q12;
     return ball < box ? ball : box;
 }
@@ -78,6 +92,12 @@ static uint8_t sides_of_extent(const struct lim_extent *extent, const struct lim
 {
     int32_t low = 0, high = 0;
 
+    if (LIM_HAS_FAR_MOVERS && *plane->along != LIM_NO_AXIS) {
+        const int64_t half_end = plane->d >> 29;
+        return extent->low[*plane->along] > half_end + 1  ? LIM_SIDE_FRONT
+               : extent->high[*plane->along] < half_end ? LIM_SIDE_BACK
+                                                        : 0;
+    }
     if (!plane->narrow) return 0;
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t n = plane->n[i];
@@ -204,6 +224,8 @@ static bool meets_entry(struct lim_sorter *sorter, const struct lim_shaft *shaft
     const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
 
     if (!polygon->has_extent) lim_entry_set_extent(sorter, entry, reach_of(sorter, entry));
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers))
+        return lim_shaft_meets_far_extent(shaft, &polygon->extent, lim_mover_exponent(sorter->movers, polygon->owner));
     return lim_shaft_meets_extent(shaft, &polygon->extent);
 }
 
@@ -235,6 +257,10 @@ static bool stays(struct lim_sorter *sorter, const struct divider *divider, cons
     const uint8_t other = goes_near ? far_side(divider) : near_side(divider);
     struct lim_shaft shaft;
 
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers)) {
+        shaft.far->movers = sorter->movers;
+        shaft.far->mover = lim_entry_owner(sorter, entry);
+    }
     if (goes_near)
         lim_shaft_set(&shaft, route->eye, reach, &divider->own, front_is_near);
     else if (!lim_shadow_set(&shaft, route->eye, reach, &divider->own, front_is_near))
@@ -249,7 +275,8 @@ static bool find_sides(struct lim_sorter *sorter, const struct divider *divider,
     bool reaches = false;
 
     for (; list != LIM_NONE; list = sorter->list[list].next) {
-        const uint8_t sides = sides_of(sorter, divider, list);
+        struct divider place;
+        const uint8_t sides = sides_of(sorter, divider_for(divider, sorter, list, &place), list);
         set_sides(sorter, list, sides ? sides : near_side(divider));
         reaches |= sides == LIM_SIDE_BOTH;
     }
@@ -260,15 +287,31 @@ static bool find_sides(struct lim_sorter *sorter, const struct divider *divider,
 static bool keep_uncut(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
                        uint16_t list, uint16_t entry)
 {
-    const struct lim_reach reach = divider->mover == LIM_NONE
-                                       ? reach_of(sorter, entry)
-                                       : reach_beside(sorter->movers, lim_entry_owner(sorter, entry), divider->mover);
+    struct lim_reach reach;
+
+    if (LIM_HAS_FAR_MOVERS && divider->mover != LIM_NONE && lim_movers_are_far(sorter->movers)) {
+        if (!lim_far_reach_beside(sorter->movers, lim_entry_owner(sorter, entry), divider->mover, reach.low_q12,
+                                  reach.high_q12))
+            return false;
+    } else {
+        reach = divider->mover == LIM_NONE
+                    ? reach_of(sorter, entry)
+                    : reach_beside(sorter->movers, lim_entry_owner(sorter, entry), divider->mover);
+    }
 
     if (stays(sorter, divider, route, list, entry, &reach, true))
         set_sides(sorter, entry, near_side(divider));
     else if (stays(sorter, divider, route, list, entry, &reach, false))
         set_sides(sorter, entry, far_side(divider));
     return sides_at(sorter, entry) != LIM_SIDE_BOTH;
+}
+
+static bool keep_uncut_there(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
+                             uint16_t list, uint16_t entry)
+{
+    struct divider place;
+
+    return keep_uncut(sorter, divider_for(divider, sorter, entry, &place), route, list, entry);
 }
 
 /* Leaves on both sides what has to be cut. One that has found its side may let others find theirs. */
@@ -280,11 +323,25 @@ static void decide(struct lim_sorter *sorter, const struct divider *divider, con
     while (again) {
         again = false;
         for (uint16_t at = list; at != LIM_NONE; at = sorter->list[at].next)
-            if (sides_at(sorter, at) == LIM_SIDE_BOTH && keep_uncut(sorter, divider, route, list, at)) again = true;
+            if (sides_at(sorter, at) == LIM_SIDE_BOTH && keep_uncut_there(sorter, divider, route, list, at))
+                again = true;
     }
 }
 
 /* Cutting ---------------------------------------------------------------------------------------------------------- */
+
+/* In a frame; nothing in others. */
+static LIM_IF_CALLED void end_far_reach(struct lim_reach *reach, const struct lim_sorter *sorter, uint16_t entry,
+                                        const struct divider *divider, bool in_front)
+{
+    const uint8_t along = *divider->plane.along;
+    struct divider place;
+
+    if (along == LIM_NO_AXIS) return;
+    const int64_t end_q12 = divider_for(divider, sorter, entry, &place)->plane.d >> 16;
+    if (end_q12 <= reach->low_q12[along] || end_q12 >= reach->high_q12[along]) return;
+    *(in_front ? &reach->low_q12[along] : &reach->high_q12[along]) = (int32_t)end_q12 + !in_front;
+}
 
 /* The box ends at a plane along two axes. */
 static void set_part(struct lim_sorter *sorter, uint16_t entry, struct lim_reach reach, const struct divider *divider,
@@ -296,6 +353,7 @@ static void set_part(struct lim_sorter *sorter, uint16_t entry, struct lim_reach
 
     if (axis != LIM_NO_AXIS && in_front) reach.low_q12[axis] = end_q12;
     if (axis != LIM_NO_AXIS && !in_front) reach.high_q12[axis] = end_q12;
+    if (LIM_HAS_FAR_MOVERS) end_far_reach(&reach, sorter, entry, divider, in_front);
     newell->cuts[newell->cuts_used] =
         (struct lim_cut){newell->polygons[entry].cuts, (uint16_t)(divider->entry | (in_front ? LIM_CUT_FRONT : 0u))};
     newell->polygons[entry].cuts = newell->cuts_used++;
@@ -334,7 +392,8 @@ static void mover_split_one(struct lim_sorter *sorter, struct divider *divider, 
             return;
         }
         if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->movers.forced++;
-        sides = heavier_side(sorter, entry, &divider->plane);
+        struct divider place;
+        sides = heavier_side(sorter, entry, &divider_for(divider, sorter, entry, &place)->plane);
     }
     lim_queue_add(sides == LIM_SIDE_FRONT ? front : back, entry);
 }
@@ -350,7 +409,10 @@ void lim_movers_divide(const struct lim_route *route, int32_t eye_side, uint16_t
     divider.ref = &route->scene->nodes[route->next].split;
     divider.entry = LIM_NONE;
     divider.eye_side = eye_side;
-    lim_plane_unpack(&divider.own, route->scene, divider.ref);
+    if (LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene))
+        lim_plane_unpack_far(&divider.own, route->eye, divider.ref);
+    else
+        lim_plane_unpack(&divider.own, route->scene, divider.ref);
     divider.plane = divider.own;
     if (route->mover != LIM_NONE) lim_mover_turn(sorter->movers, route->mover, &divider.plane);
     if (find_sides(sorter, &divider, list)) decide(sorter, &divider, route, list);

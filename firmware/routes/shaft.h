@@ -11,10 +11,19 @@
 #include "orders.h"
 #include "pieces/corners.h"
 
+/* In a long scene: the frame of the mover that it is of, where its units are. */
+struct lim_shaft_frame {
+    const struct lim_movers *movers;
+    uint16_t mover;
+};
+
+LIM_OPTIONAL_BEGIN
 struct lim_shaft {
     int32_t low[3], high[3]; /* units */
     bool is_shadow;
+    LIM_OPTIONAL(struct lim_shaft_frame, far, LIM_HAS_LONG);
 };
+LIM_OPTIONAL_END
 
 /* Of the part of `of` beyond a plane that it reaches through, or on the eye's side of it. false: it has no end. */
 void lim_shaft_set(struct lim_shaft *shaft, const struct lim_eye *eye, const struct lim_reach *of,
@@ -23,6 +32,9 @@ bool lim_shadow_set(struct lim_shaft *shadow, const struct lim_eye *eye, const s
                     const struct lim_plane_unpacked *plane, bool front_is_near);
 
 bool lim_shaft_meets_extent(const struct lim_shaft *shaft, const struct lim_extent *extent);
+
+/* The same of another mover's, in the frame of that. */
+bool lim_shaft_meets_far_extent(const struct lim_shaft *shaft, const struct lim_extent *extent, int8_t exponent);
 
 /* Whether a polygon in the plane of the node that the route is to enter, or beyond it, may hide something of `of`; or
  * of a shadow, whether one in the plane, or on the eye's side of it, may be hidden. */

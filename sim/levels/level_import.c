@@ -8,7 +8,7 @@
 #include "levels/level_path.h"
 #include "levels/level_sectors.h"
 #include "levels/level_walls.h"
-#include "scene.h"
+#include "instance.h"
 
 #include <stdarg.h>
 #include <stdio.h>

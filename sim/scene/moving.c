@@ -28,6 +28,7 @@ void moving_free(struct moving *moving)
     for (size_t i = 0; i < moving->count; i++) {
         compiled_free(&moving->objects[i].scene);
         free(moving->objects[i].keys);
+        free(moving->objects[i].origins);
         free(moving->objects[i].words);
     }
     free(moving->objects);

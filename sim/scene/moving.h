@@ -6,6 +6,7 @@
 #define SIM_MOVING_H
 
 #include "limner.h"
+#include "long.h"
 #include "scene/compiled.h"
 
 struct moving_object {
@@ -14,6 +15,7 @@ struct moving_object {
     lim_index *words;      /* scene.scene.polygons, if they name textures of the scene that it moves in; else NULL */
     struct lim_motion motion;
     struct lim_motion_key *keys;
+    struct lim_long_vertex *origins; /* of a scene of many scales: motion's; else NULL */
 };
 
 struct moving {
