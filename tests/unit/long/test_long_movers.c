@@ -1,0 +1,511 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What moves in scenes of many scales: a closed room, in it heaps of solids, each heap some powers of two smaller than
+ * the room, and in each heap solids that stand beside such that move, turned and through one another. Which face each
+ * pixel shows is held against rays in double precision that meet the model's own faces where their poses take them. */
+#include "cameras/camera_path.h"
+#include "compiler/moving_compile.h"
+#include "render/ids.h"
+#include "rigs/boxes.h"
+#include "rigs/cmocka_ready.h"
+#include "rigs/effort.h"
+#include "rigs/profiles.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    PX = 72,
+    WORLDS = 6,
+    FRAMES = 30,
+    HEAPS = 5,
+    HEAP_SOLIDS = 6,
+    FACES_MOST = 256,
+    CORNERS_MOST = 4,
+    ENTRIES = 4000
+};
+static const double ROOM_M = 1;        /* from the middle to each wall */
+static const double FAR_SIZE_M = 1e-6; /* what is smaller is left out where it is less than a 50th of a pixel */
+
+/* A face of the model, where it is in the frame. */
+struct plate {
+    double at_m[CORNERS_MOST][3], normal[3];
+    int corners;
+    size_t mover; /* from 1; 0: it stands still */
+};
+
+struct world {
+    struct model model;
+    struct plate plates[FACES_MOST]; /* by the model's numbers of faces, from 1 */
+    double middles_m[HEAPS][3], sizes_m[HEAPS];
+};
+
+/* Models ---------------------------------------------------------------------------------------------------------- */
+
+static double any(struct random *random)
+{
+    return 2 * random_unit(random) - 1;
+}
+
+/* By the quaternion's own formula: v + 2 w (q x v) + 2 q x (q x v). */
+static void turned(const double q[4], const double v[3], double out[3])
+{
+    double once[3], twice[3];
+
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        once[i] = 2 * (q[j] * v[k] - q[k] * v[j]);
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        twice[i] = q[j] * once[k] - q[k] * once[j];
+    }
+    for (int i = 0; i < 3; i++)
+        out[i] = v[i] + q[3] * once[i] + twice[i];
+}
+
+static void set_normal(struct plate *plate)
+{
+    double length = 0;
+
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double *a = plate->at_m[0], *b = plate->at_m[1], *c = plate->at_m[2];
+        plate->normal[i] = (b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j]);
+        length += plate->normal[i] * plate->normal[i];
+    }
+    for (int i = 0; i < 3; i++)
+        plate->normal[i] /= sqrt(length);
+}
+
+/* The faces from `first` on, as a mover in the pose, or NULL: as they are. */
+static void take_plates(struct world *world, size_t first, const struct model_pose *pose)
+{
+    const struct model *model = &world->model;
+
+    for (size_t f = first; f < model->face_count; f++) {
+        struct plate *plate = &world->plates[f + 1];
+        const struct model_face *face = &model->faces[f];
+        assert_true(f + 1 < FACES_MOST && face->count <= CORNERS_MOST);
+        plate->corners = (int)face->count;
+        plate->mover = face->mover;
+        for (int c = 0; c < plate->corners; c++) {
+            const double *point = model->points[model->corners[face->first + (uint32_t)c]];
+            memcpy(plate->at_m[c], point, sizeof plate->at_m[c]);
+            if (pose) turned(pose->turn, point, plate->at_m[c]);
+            for (int i = 0; pose && i < 3; i++)
+                plate->at_m[c][i] += pose->at_m[i];
+        }
+        set_normal(plate);
+    }
+}
+
+/* They move, and are in that pose at all times. */
+static void move_faces(struct world *world, size_t first, const struct model_pose *pose)
+{
+    struct model *model = &world->model;
+    const size_t number = ++model->mover_count;
+
+    model->movers = realloc(model->movers, number * sizeof *model->movers);
+    model->keys = realloc(model->keys, (model->key_count + 1) * sizeof *model->keys);
+    model->movers[number - 1] =
+        (struct model_mover){.rest = {.turn = {0, 0, 0, 1}}, .first_key = (uint32_t)model->key_count, .key_count = 1};
+    snprintf(model->movers[number - 1].name, MODEL_NAME_B, "solid %zu", number);
+    model->keys[model->key_count++] = (struct model_key){0, *pose};
+    for (size_t f = first; f < model->face_count; f++)
+        model->faces[f].mover = (uint16_t)number;
+    take_plates(world, first, pose);
+}
+
+/* A box or a tetrahedron about a point. */
+static void add_solid(struct world *world, struct random *random, const double about_m[3], double size_m, bool pointed)
+{
+    static const double corners[4][3] = {{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}};
+    double low_m[3], high_m[3], corners_m[4][3];
+
+    for (int i = 0; i < 3; i++) {
+        low_m[i] = about_m[i] - size_m * (0.15 + 0.5 * random_unit(random));
+        high_m[i] = about_m[i] + size_m * (0.15 + 0.5 * random_unit(random));
+        for (int k = 0; k < 4; k++)
+            corners_m[k][i] = about_m[i] + size_m * (corners[k][i] + 0.4 * any(random));
+    }
+    if (pointed)
+        boxes_add_tetrahedron(&world->model, (const double(*)[3])corners_m, false);
+    else
+        boxes_add_solid(&world->model, low_m, high_m);
+}
+
+static struct model_pose any_pose(struct random *random, const double at_m[3])
+{
+    struct model_pose pose;
+    double length = 0;
+
+    memcpy(pose.at_m, at_m, sizeof pose.at_m);
+    for (int i = 0; i < 4; i++) {
+        pose.turn[i] = any(random);
+        length += pose.turn[i] * pose.turn[i];
+    }
+    for (int i = 0; i < 4; i++)
+        pose.turn[i] /= sqrt(length);
+    return pose;
+}
+
+/* Every second solid moves, and the largest heap has more of these. */
+static void add_heap(struct world *world, struct random *random, const double middle_m[3], double size_m)
+{
+    static const double here_m[3];
+
+    for (int s = 0; s < HEAP_SOLIDS; s++) {
+        const size_t first = world->model.face_count;
+        double at_m[3];
+        for (int i = 0; i < 3; i++)
+            at_m[i] = middle_m[i] + size_m * any(random);
+        if (s % 2) {
+            const struct model_pose pose = any_pose(random, at_m);
+            add_solid(world, random, here_m, size_m, s % 4 == 1);
+            move_faces(world, first, &pose);
+        } else {
+            add_solid(world, random, at_m, size_m, s % 4 == 2);
+            take_plates(world, first, NULL);
+        }
+    }
+}
+
+static void make_world(struct world *world, struct random *random, int most_bits)
+{
+    const double low_m[3] = {-ROOM_M, -ROOM_M, -ROOM_M}, high_m[3] = {ROOM_M, ROOM_M, ROOM_M};
+
+    memset(world, 0, sizeof *world);
+    boxes_add_room(&world->model, low_m, high_m);
+    take_plates(world, 0, NULL);
+    for (int h = 0; h < HEAPS; h++) {
+        world->sizes_m[h] = ldexp(ROOM_M, -(3 + (most_bits - 3) * h / (HEAPS - 1)));
+        for (int i = 0; i < 3; i++)
+            world->middles_m[h][i] = (ROOM_M - 4 * world->sizes_m[h]) * any(random);
+        add_heap(world, random, world->middles_m[h], world->sizes_m[h]);
+    }
+}
+
+/* Rays ------------------------------------------------------------------------------------------------------------ */
+
+struct look {
+    struct viewpoint viewpoint;
+    struct lens lens;
+    double right[3], down[3], ahead[3];
+};
+
+static double dot_of(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void set_axes(struct look *look)
+{
+    double length = 0;
+
+    for (int i = 0; i < 3; i++)
+        look->ahead[i] = look->viewpoint.target_m[i] - look->viewpoint.eye_m[i];
+    length = sqrt(dot_of(look->ahead, look->ahead));
+    for (int i = 0; i < 3; i++)
+        look->ahead[i] /= length;
+    const double level = hypot(look->ahead[0], look->ahead[2]);
+    const double right[3] = {-look->ahead[2] / level, 0, look->ahead[0] / level};
+    memcpy(look->right, right, sizeof right);
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        look->down[i] = look->ahead[j] * right[k] - look->ahead[k] * right[j];
+    }
+}
+
+/* How far along a ray a plate is met, by its front, beyond the near plane; infinite: nowhere. */
+static double met_at(const struct plate *plate, const struct look *look, const double ray[3])
+{
+    double away[3];
+
+    for (int i = 0; i < 3; i++)
+        away[i] = plate->at_m[0][i] - look->viewpoint.eye_m[i];
+    const double height = dot_of(plate->normal, away), along = dot_of(plate->normal, ray);
+    if (height >= 0 || along >= 0) return INFINITY;
+    const double depth = height / along;
+    if (depth < look->lens.near_m) return INFINITY;
+    for (int c = 0; c < plate->corners; c++) {
+        const double *from = plate->at_m[c], *to = plate->at_m[(c + 1) % plate->corners];
+        double side = 0;
+        for (int i = 0; i < 3; i++) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            const double edge_j = to[j] - from[j], edge_k = to[k] - from[k];
+            const double at_j = look->viewpoint.eye_m[j] + depth * ray[j] - from[j];
+            const double at_k = look->viewpoint.eye_m[k] + depth * ray[k] - from[k];
+            side += plate->normal[i] * (edge_j * at_k - edge_k * at_j);
+        }
+        if (side < 0) return INFINITY;
+    }
+    return depth;
+}
+
+/* Which face is seen at a place of the screen, in pixels; 0: none. */
+static size_t face_at(const struct world *world, const struct look *look, double x_px, double y_px, double *nearest,
+                      double ray[3])
+{
+    const double x = look->lens.tan_x * (2 * x_px / PX - 1), y = look->lens.tan_y * (2 * y_px / PX - 1);
+    size_t face = 0;
+
+    *nearest = INFINITY;
+
+    for (int i = 0; i < 3; i++)
+        ray[i] = look->ahead[i] + x * look->right[i] + y * look->down[i];
+    for (size_t f = 1; f <= world->model.face_count; f++) {
+        const double depth = met_at(&world->plates[f], look, ray);
+        if (depth >= *nearest) continue;
+        *nearest = depth;
+        face = f;
+    }
+    return face;
+}
+
+/* Whether one sees through what should be seen: a face is nowhere within a pixel of a place, and its plane lies behind
+ * all that is. */
+static bool is_hole(const struct world *world, const struct look *look, double x_px, double y_px, size_t face)
+{
+    const struct plate *plate = &world->plates[face];
+    double away[3], farthest = 0;
+
+    for (int step = 0; step < 49; step++) {
+        double depth, ray[3];
+        const size_t seen = face_at(world, look, x_px + (step % 7 - 3) / 3.0, y_px + (step / 7 - 3) / 3.0, &depth, ray);
+        if (seen == face) return false;
+        farthest = fmax(farthest, depth);
+    }
+    double depth, ray[3];
+    face_at(world, look, x_px, y_px, &depth, ray);
+    for (int i = 0; i < 3; i++)
+        away[i] = plate->at_m[0][i] - look->viewpoint.eye_m[i];
+    return dot_of(plate->normal, away) / dot_of(plate->normal, ray) > 1.001 * farthest;
+}
+
+struct verdict {
+    size_t pixels, wrong, holes, moving; /* moving: that show something that moves */
+};
+
+static void judge(struct verdict *sum, const struct world *world, const struct look *look, const uint32_t *faces)
+{
+    for (size_t k = 0; k < PX * PX; k++) {
+        const double x_px = (double)(k % PX) + 0.5, y_px = (double)(k / PX) + 0.5;
+        double depth, ray[3];
+        const size_t face = faces[k], truth = face_at(world, look, x_px, y_px, &depth, ray);
+        sum->pixels++;
+        sum->moving += world->plates[face].mover > 0;
+        if (face == truth) continue;
+        sum->wrong++;
+        sum->holes += !face || is_hole(world, look, x_px, y_px, face);
+    }
+}
+
+/* Stages ---------------------------------------------------------------------------------------------------------- */
+
+struct stage {
+    struct compiled scene;
+    struct moving moving;
+    struct ids ids;
+};
+
+static void compile_stage(struct stage *stage, const struct model *model, const struct core *core)
+{
+    const struct compile_options options = {.tolerance_units = 0.5,
+                                            .splitter = "fewest",
+                                            .keep_faces = true,
+                                            .core = core,
+                                            .coordinates = COORDINATES_32,
+                                            .near_m = 1e-9,
+                                            .w_px = PX,
+                                            .h_px = PX,
+                                            .unlit = true};
+    const struct moving_options movers = {.mode = MOVING_CLIPPED};
+    struct error err;
+
+    if (!moving_compile_model(model, &options, &movers, &stage->scene, &stage->moving, &err)) fail_msg("%s", err.text);
+    assert_true(stage->scene.grid.is_long);
+    moving_pose(&stage->moving, 0);
+}
+
+/* Room for what no camera of the compiler's needed. */
+static void allow(struct ids *ids, const struct stage *stage)
+{
+    struct lim_movers_limits limits = stage->moving.limits;
+    struct error err;
+
+    limits.entries = ENTRIES;
+    free(ids->simulator.mover_mem);
+    if (!simulator_set_movers(&ids->simulator, ids->instances, stage->moving.count, &limits, &err))
+        fail_msg("%s", err.text);
+}
+
+static void start(struct ids *ids, const struct stage *stage, const struct core *core, enum lim_method method)
+{
+    const struct simulator_setup setup = {PX, PX, method, SIMULATOR_MEMORY, core};
+    struct error err;
+
+    if (!ids_init(ids, &stage->scene, &setup, &err) || !ids_set_movers(ids, &stage->moving, &err))
+        fail_msg("%s", err.text);
+    allow(ids, stage);
+}
+
+/* The model is the stage's from now on. */
+static void open_stage(struct stage *stage, const struct model *model, const struct core *core)
+{
+    compile_stage(stage, model, core);
+    start(&stage->ids, stage, core, LIM_NEAREST_FIRST);
+}
+
+static void close_stage(struct stage *stage)
+{
+    ids_free(&stage->ids);
+    moving_free(&stage->moving);
+    compiled_free(&stage->scene);
+}
+
+static struct lim_camera camera_of(const struct stage *stage, const struct look *look)
+{
+    struct viewpoint viewpoint = look->viewpoint;
+    const struct camera_path path = {"test", &viewpoint, 1};
+    struct lim_camera camera;
+    struct error err;
+
+    viewpoint.line = 1;
+    if (!camera_path_to_camera(&path, 0, &look->lens, &stage->scene.grid, &camera, &err)) fail_msg("%s", err.text);
+    return camera;
+}
+
+static void draw(struct ids *ids, const struct lim_camera *camera)
+{
+    struct error err;
+
+    if (!ids_frame(ids, camera, &err)) fail_msg("%s", err.text);
+}
+
+/* Whether a place is outside of all that is solid by a margin: each is the faces between two places in the list. */
+static bool is_free(const struct world *world, const double at_m[3], double margin_m)
+{
+    size_t f = 7; /* behind the room's */
+
+    for (int i = 0; i < 3; i++)
+        if (fabs(at_m[i]) > ROOM_M - margin_m) return false;
+    while (f <= world->model.face_count) {
+        const size_t faces = world->plates[f].corners == 4 ? 6 : 4;
+        bool outside = false;
+        for (size_t k = f; k < f + faces; k++) {
+            double away[3];
+            for (int i = 0; i < 3; i++)
+                away[i] = at_m[i] - world->plates[k].at_m[0][i];
+            outside |= dot_of(world->plates[k].normal, away) > margin_m;
+        }
+        if (!outside) return false;
+        f += faces;
+    }
+    return true;
+}
+
+/* From near one of the heaps, at something in it or anywhere. */
+static struct look any_look(const struct world *world, struct random *random, double unit_m)
+{
+    const size_t heap = random_u64(random) % HEAPS;
+    const double size_m = world->sizes_m[heap], *middle_m = world->middles_m[heap];
+    const bool at_heap = random_u64(random) % 4;
+    struct look look = {.lens = {.tan_x = 0.7, .tan_y = 0.7}};
+
+    look.lens.near_m = fmin(fmax(0.02 * size_m, 2.1 * unit_m), 10000 * unit_m);
+    do
+        for (int i = 0; i < 3; i++) {
+            look.viewpoint.eye_m[i] = middle_m[i] + 5 * size_m * any(random);
+            look.viewpoint.target_m[i] = at_heap ? middle_m[i] + size_m * any(random) : ROOM_M * any(random);
+        }
+    while (!is_free(world, look.viewpoint.eye_m, 2 * look.lens.near_m));
+    set_axes(&look);
+    return look;
+}
+
+static double most_wrong_percent(const struct core *core)
+{
+    return core->profile == LIM_PROFILE_FAST ? 0.1 : core->profile == LIM_PROFILE_FINE ? 0.05 : 0.01;
+}
+
+static void look_around(struct stage *stage, const struct world *world, uint64_t seed, struct verdict *sum)
+{
+    const struct lim_mover_stats *stats = &simulator_stats(&stage->ids.simulator)->movers;
+    struct random random = {seed};
+
+    for (int f = 0; f < effort(FRAMES); f++) {
+        const struct look look = any_look(world, &random, 1 / stage->scene.grid.units_per_m);
+        const struct lim_camera camera = camera_of(stage, &look);
+        draw(&stage->ids, &camera);
+        const size_t holes = sum->holes, wrong = sum->wrong;
+        judge(sum, world, &look, stage->ids.faces);
+        if (getenv("SHOW_LONG") && (sum->holes > holes || sum->wrong > wrong + 40))
+            printf("# frame %d: %zu wrong %zu holes forced %u\n", f, sum->wrong - wrong, sum->holes - holes,
+                   (unsigned)stats->forced);
+        assert_int_equal(stats->forced, 0);
+        if (world->sizes_m[HEAPS - 1] > FAR_SIZE_M) assert_int_equal(stats->left_out, 0);
+    }
+}
+
+/* The smallest heap is 2^-most_bits as large as half of the room. */
+static void worlds_are_closed_and_in_order(int most_bits)
+{
+    const struct core *profiles[PROFILES_MAX];
+    const size_t count = profiles_find(profiles);
+    struct verdict sums[PROFILES_MAX] = {{0}};
+    struct random random = {409};
+    size_t failed = 0;
+
+    for (int w = 0; w < WORLDS; w++) {
+        const uint64_t seed = random_u64(&random) | 1, looks = random_u64(&random) | 1;
+        for (size_t k = 0; k < count; k++) {
+            static struct world world;
+            struct random again = {seed};
+            struct stage stage = {.scene = {.moving = NULL}};
+            make_world(&world, &again, most_bits);
+            open_stage(&stage, &world.model, profiles[k]);
+            look_around(&stage, &world, looks, &sums[k]);
+            close_stage(&stage);
+        }
+    }
+    for (size_t k = 0; k < count; k++) {
+        const struct verdict *sum = &sums[k];
+        const double percent = 100.0 * (double)sum->wrong / (double)sum->pixels;
+        printf("# long-movers 2^-%d %s: %zu pixels, %zu of what moves, %zu holes, %.4f %% wrong\n", most_bits,
+               profiles[k]->name, sum->pixels, sum->moving, sum->holes, percent);
+        failed += sum->holes > 0 || sum->moving < sum->pixels / 50;
+        failed += profiles[k]->sub_bits > 0 && percent > most_wrong_percent(profiles[k]);
+    }
+    assert_int_equal(failed, 0);
+}
+
+static void worlds_of_2_6(void **state)
+{
+    (void)state;
+    worlds_are_closed_and_in_order(6);
+}
+
+static void worlds_of_2_12(void **state)
+{
+    (void)state;
+    worlds_are_closed_and_in_order(12);
+}
+
+static void worlds_of_2_22(void **state)
+{
+    (void)state;
+    worlds_are_closed_and_in_order(22);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(worlds_of_2_6),
+        cmocka_unit_test(worlds_of_2_12),
+        cmocka_unit_test(worlds_of_2_22),
+    };
+
+    return cmocka_run_group_tests_name("what moves in scenes of many scales", tests, NULL, NULL);
+}
