@@ -392,6 +392,13 @@ static LIM_RARE void set_view(struct lim_view *to, const struct lim_view *from, 
     if (LIM_HAS_ANTIALIAS) lim_view_set_antialiased(to, lim_is_antialiased(from));
 }
 
+/* In a long scene the mover's own; else what is asked for. */
+static LIM_IF_CALLED bool set_any_eye(struct lim_movers *movers, uint16_t i, int32_t own_q8[3])
+{
+    if (lim_movers_are_far(movers)) return lim_mover_approach(movers, i);
+    return turn_eye(own_q8, movers->camera.eye_q8, &movers->instances[i]);
+}
+
 static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_t i)
 {
     const struct lim_instance *instance = &movers->instances[i];
@@ -399,14 +406,11 @@ static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_
     int32_t eye_q8[3];
 
     mover->radius_q12 = -1;
-    if (!is_usable(movers, instance)) return false;
-    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) {
-        if (!lim_mover_approach(movers, i)) return false;
-    } else {
-        if (!turn_eye(eye_q8, movers->camera.eye_q8, instance)) return false;
-        lim_eye_set(&mover->eye, instance->object, eye_q8);
-    }
+    if (!is_usable(movers, instance) ||
+        !(LIM_HAS_FAR_MOVERS ? set_any_eye(movers, i, eye_q8) : turn_eye(eye_q8, movers->camera.eye_q8, instance)))
+        return false;
     set_view(&mover->view, view, movers->cache);
+    if (!LIM_HAS_FAR_MOVERS || !lim_movers_are_far(movers)) lim_eye_set(&mover->eye, instance->object, eye_q8);
     if (LIM_HAS_LIGHT) turn_light(mover, instance, movers->light);
     set_ball(mover, instance);
     if (is_within(mover)) return true;

@@ -190,6 +190,28 @@ void lim_far_view_corner(const struct lim_view *view, int8_t exponent, const int
     *out->exponent = (int8_t)(exponent + CORNER_EXPONENT - up);
 }
 
+int8_t lim_far_exponent(const struct lim_movers *movers, const struct lim_view *view, const struct lim_scene *object,
+                        const LIM_FLASH lim_index *record)
+{
+    int8_t most = INT8_MIN;
+
+    if (!lim_movers_are_far(movers)) return 0;
+    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
+        struct lim_view_point point;
+        lim_view_transform(view, object, &object->vertices[record[LIM_POLYGON_HEAD_WORDS + k]], &point);
+        if (*point.exponent > most) most = *point.exponent;
+    }
+    return most;
+}
+
+void lim_far_raise(struct lim_view_point *point, int8_t exponent)
+{
+    const int_fast8_t down = (int_fast8_t)(exponent - *point->exponent);
+
+    for (uint_fast8_t i = 0; i < 3; i++)
+        point->qv[i] >>= down < 31 ? down : 31;
+}
+
 /* Planes ----------------------------------------------------------------------------------------------------------- */
 
 static int64_t norm_of(const struct lim_plane_unpacked *plane)

@@ -55,6 +55,11 @@ struct lim_view_point;
 void lim_far_view_corner(const struct lim_view *view, int8_t exponent, const int32_t at_q12[3],
                          struct lim_view_point *out);
 
+/* The most that a record's corner has in view space, which others may be raised to; without a long scene 0, as all. */
+int8_t lim_far_exponent(const struct lim_movers *movers, const struct lim_view *view, const struct lim_scene *object,
+                        const LIM_FLASH lim_index *record);
+void lim_far_raise(struct lim_view_point *point, int8_t exponent);
+
 /* A plane of the long scene, as seen from the eye, in its units; for lim_plane_bring() alone. */
 void lim_plane_unpack_far(struct lim_plane_unpacked *plane, const struct lim_eye *eye,
                           const LIM_FLASH struct lim_plane_ref *ref);

@@ -54,7 +54,9 @@ void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *s
 
     if (LIM_HAS_FAR_MOVERS && owner == LIM_NONE && lim_movers_are_far(sorter->movers)) {
         lim_plane_unpack_far(plane, *sorter->movers->far, lim_plane_of(sorter, entry));
-    } else if (!LIM_HAS_MOVERS || owner == LIM_NONE) {
+        return;
+    }
+    if (!LIM_HAS_MOVERS || owner == LIM_NONE) {
         lim_plane_load_own(plane, sorter, entry);
     } else if (LIM_OPTIMISE_SIZE || (LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, entry))) {
         lim_plane_load_own(plane, sorter, entry);
@@ -116,6 +118,14 @@ static void add_corner(struct lim_corners *to, const int32_t at_q12[3])
     corner[2] = at_q12[2];
 }
 
+/* Parts are in the frame of their whole. */
+static LIM_IF_CALLED void keep_frame(struct lim_corners *front, struct lim_corners *back,
+                                     const struct lim_corners *from)
+{
+    if (front) *front->exponent = *from->exponent;
+    if (back) *back->exponent = *from->exponent;
+}
+
 /* The parts on both sides of a plane, or one: the other is NULL. false: one would have too many corners, or too few. */
 static bool cut_to(struct lim_corners *front, struct lim_corners *back, const struct lim_corners *from,
                    const struct lim_plane_unpacked *plane, uint_fast16_t most)
@@ -126,8 +136,7 @@ static bool cut_to(struct lim_corners *front, struct lim_corners *back, const st
 
     for (uint_fast8_t side = 0; side < 2; side++)
         if (parts[side]) parts[side]->n = 0;
-    for (uint_fast8_t side = 0; LIM_HAS_FAR_MOVERS && side < 2; side++)
-        if (parts[side]) *parts[side]->exponent = *from->exponent;
+    if (LIM_HAS_FAR_MOVERS) keep_frame(front, back, from);
     for (uint_fast8_t k = 0; k < from->n; k++) {
         const int32_t *here = from->at_q12[k];
         const int64_t value = lim_corner_value(plane, here);
@@ -224,7 +233,9 @@ static const struct lim_corners *cut_corners(const struct lim_sorter *sorter, ui
             cut_before(newell, newell->polygons[entry].cuts, are_of_movers(sorter) ? count - 1 - k : k);
         struct lim_corners *const there = here == &places[0] ? &places[1] : &places[0];
         struct lim_plane_unpacked plane;
-        lim_plane_load_for(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX, lim_entry_owner(sorter, entry));
+        lim_plane_load(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX);
+        if (LIM_HAS_FAR_MOVERS)
+            lim_plane_load_far(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX, lim_entry_owner(sorter, entry));
         if (!clip_to(there, here, &plane, newell->cuts[cut].by & LIM_CUT_FRONT, most)) return NULL;
         here = there;
     }

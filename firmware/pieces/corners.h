@@ -32,13 +32,13 @@ void lim_plane_load_own(struct lim_plane_unpacked *plane, const struct lim_sorte
 /* The same in the static scene. */
 void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry);
 
-/* The same as mover `to` has it, in whose frame corners are in a long scene: for what is asked of its corners. */
-static inline void lim_plane_load_for(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry,
+/* In a long scene, for what is asked of a mover's corners: brings the plane of entry `by` to the frame of mover `to`.
+ */
+static inline void lim_plane_load_far(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t by,
                                       uint16_t to)
 {
-    lim_plane_load(plane, sorter, entry);
     if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers))
-        lim_plane_bring(plane, sorter->movers, lim_entry_owner(sorter, entry), to);
+        lim_plane_bring(plane, sorter->movers, lim_entry_owner(sorter, by), to);
 }
 
 /* Of the corners of an entry, in one of two places, those of the part on one side of a plane, in the other. NULL: as

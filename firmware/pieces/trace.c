@@ -51,28 +51,6 @@ static int64_t corner_value(const struct lim_sorter *sorter, uint16_t entry, lim
     return lim_plane_value(plane, at.x, at.y, at.z, 1);
 }
 
-/* In a long scene: the most that any corner has. */
-static LIM_IF_CALLED int8_t most_exponent(const struct lim_view *view, const struct lim_scene *scene,
-                                          const LIM_FLASH lim_index *record)
-{
-    int8_t most = INT8_MIN;
-
-    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
-        struct lim_view_point point;
-        lim_view_transform(view, scene, &scene->vertices[record[LIM_POLYGON_HEAD_WORDS + k]], &point);
-        if (*point.exponent > most) most = *point.exponent;
-    }
-    return most;
-}
-
-static LIM_IF_CALLED void raise_exponent(struct lim_view_point *point, int8_t to)
-{
-    const int_fast8_t down = (int_fast8_t)(to - *point->exponent);
-
-    for (uint_fast8_t i = 0; i < 3; i++)
-        point->qv[i] >>= down < 31 ? down : 31;
-}
-
 static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uint16_t entry,
                        const struct lim_plane_unpacked *plane)
 {
@@ -83,8 +61,7 @@ static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uin
     const uint_fast8_t n = record[0] & LIM_POLYGON_COUNT;
     int32_t before[3] = {0, 0, 0}, here[3];
     int64_t value_before = 0;
-    const bool is_far = LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers);
-    const int8_t exponent = LIM_HAS_FAR_MOVERS && is_far ? most_exponent(view, scene, record) : 0;
+    const int8_t exponent = LIM_HAS_FAR_MOVERS ? lim_far_exponent(sorter->movers, view, scene, record) : 0;
 
     chord->far_value = 0;
     for (uint_fast8_t i = 0; i < 3; i++) /* an initialiser would be a call of memset() */
@@ -93,7 +70,7 @@ static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uin
         const lim_index vertex = corners[k < n ? k : 0];
         struct lim_view_point point;
         lim_view_transform(view, scene, &scene->vertices[vertex], &point);
-        if (LIM_HAS_FAR_MOVERS && is_far) raise_exponent(&point, exponent);
+        if (LIM_HAS_FAR_MOVERS) lim_far_raise(&point, exponent);
         if (LIM_HAS_TELE) lim_view_even(&view->rows, &point);
         const int64_t value = corner_value(sorter, entry, vertex, plane);
         halve_point(here, &point);
@@ -374,7 +351,10 @@ static void trace_of(struct trace *trace, const struct lim_sorter *sorter, uint1
 {
     struct lim_plane_unpacked plane;
 
-    lim_plane_load_for(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX, lim_entry_owner(sorter, entry));
+    lim_plane_load(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX);
+    if (LIM_HAS_FAR_MOVERS)
+        lim_plane_load_far(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX,
+                           lim_entry_owner(sorter, entry));
     set_trace(trace, sorter, entry, &plane);
 }
 

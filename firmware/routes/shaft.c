@@ -63,21 +63,9 @@ static void set_box(struct lim_shaft *shaft, const struct lim_eye *eye, const st
     }
 }
 
-/* Of an axis plane in a frame, rounded down. */
-static LIM_IF_CALLED int32_t far_end(const struct lim_plane_unpacked *plane)
-{
-    return (int32_t)(plane->d >> 28);
-}
-
 static void end_at_plane(struct lim_shaft *shaft, const struct lim_plane_unpacked *plane, bool in_front)
 {
-    if (LIM_HAS_FAR_MOVERS && *plane->along != LIM_NO_AXIS) {
-        const int32_t end = far_end(plane);
-        if (in_front)
-            shaft->low[*plane->along] = end;
-        else
-            shaft->high[*plane->along] = end + 1;
-    }
+    if (LIM_HAS_FAR_MOVERS) lim_shaft_end_far(shaft, plane, in_front);
     if (plane->axis == LIM_NO_AXIS) return;
     *(in_front ? &shaft->low[plane->axis] : &shaft->high[plane->axis]) = (int32_t)plane->d;
 }
@@ -116,54 +104,6 @@ bool lim_shaft_meets_extent(const struct lim_shaft *shaft, const struct lim_exte
     return true;
 }
 
-bool lim_shaft_meets_far_extent(const struct lim_shaft *shaft, const struct lim_extent *extent, int8_t exponent)
-{
-    const int_fast8_t up = (int_fast8_t)(exponent + 1 - lim_mover_exponent(shaft->far->movers, shaft->far->mover));
-
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        const int64_t one = INT64_C(1) << (up > 0 ? up : 0);
-        const int64_t low = up > 0 ? extent->low[i] * one : extent->low[i] >> -up;
-        const int64_t high = up > 0 ? extent->high[i] * one : (extent->high[i] >> -up) + 1;
-        if (low > shaft->high[i] || high < shaft->low[i]) return false;
-    }
-    return true;
-}
-
-/* A coordinate of the long scene in the shaft's units, rounded down. */
-static LIM_IF_CALLED int32_t in_shaft(const struct lim_shaft *shaft, int64_t at, uint_fast8_t i)
-{
-    const struct lim_movers *movers = shaft->far->movers;
-    const struct lim_long_eye *eye = (*movers->far)->far;
-    const int64_t away_q8 = (at - eye->at[i]) * 256 - (int32_t)eye->fraction_q8[i];
-    const int64_t units = away_q8 >> (8 + lim_mover_exponent(movers, shaft->far->mover));
-
-    return units > INT32_MAX / 2 ? INT32_MAX / 2 : units < INT32_MIN / 2 ? INT32_MIN / 2 : (int32_t)units;
-}
-
-static LIM_IF_CALLED bool meets_long_box(const struct lim_shaft *shaft, const LIM_FLASH struct lim_long_box *box)
-{
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        const int64_t centre = box->centre[i], half = box->half[i];
-        if (!meets(shaft, i, in_shaft(shaft, centre - half, i), in_shaft(shaft, centre + half, i) + 1)) return false;
-    }
-    return true;
-}
-
-static LIM_IF_CALLED bool meets_long_polygon(const struct lim_shaft *shaft, const struct lim_long *all,
-                                             const LIM_FLASH lim_index *record)
-{
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        int32_t low = INT32_MAX, high = INT32_MIN;
-        for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
-            const int32_t at = in_shaft(shaft, all->vertices[record[LIM_POLYGON_HEAD_WORDS + k]].at[i], i);
-            if (at < low) low = at;
-            if (at >= high) high = at + 1;
-        }
-        if (!meets(shaft, i, low, high)) return false;
-    }
-    return true;
-}
-
 static bool meets_box(const struct lim_shaft *shaft, const LIM_FLASH struct lim_box *box)
 {
     for (uint_fast8_t i = 0; i < 3; i++)
@@ -191,26 +131,16 @@ static bool meets_polygon(const struct lim_shaft *shaft, const struct lim_scene 
     return false;
 }
 
-static bool may_meet_polygon(const struct lim_shaft *shaft, const struct lim_scene *scene,
-                             const LIM_FLASH lim_index *record)
-{
-    if (LIM_HAS_FAR_MOVERS && lim_scene_long(scene)) return meets_long_polygon(shaft, lim_scene_long(scene), record);
-    return meets_polygon(shaft, scene, record);
-}
-
-static bool may_meet_box(const struct lim_shaft *shaft, const struct lim_scene *scene, lim_index box)
-{
-    if (LIM_HAS_FAR_MOVERS && lim_scene_long(scene)) return meets_long_box(shaft, &lim_scene_long(scene)->boxes[box]);
-    return meets_box(shaft, &scene->boxes[box]);
-}
-
 static bool meets_run(const struct lim_shaft *shaft, const struct lim_route *route, lim_index run)
 {
     const LIM_FLASH lim_index *record = &route->scene->polygons[run];
 
     if (run == LIM_NO_INDEX) return false;
     for (;; record += lim_record_words(record[0])) {
-        if (lim_record_is_seen(route->eye, record) && may_meet_polygon(shaft, route->scene, record)) return true;
+        if (lim_record_is_seen(route->eye, record) && (LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene)
+                                                           ? lim_shaft_meets_long_polygon(shaft, route->scene, record)
+                                                           : meets_polygon(shaft, route->scene, record)))
+            return true;
         if (record[0] & LIM_POLYGON_LAST) return false;
     }
 }
@@ -229,8 +159,7 @@ static bool is_beside(const struct lim_shaft *shaft, const struct lim_reach *of,
     struct lim_plane_unpacked plane;
 
     if (LIM_HAS_FAR_MOVERS && lim_scene_long(scene)) {
-        lim_plane_unpack_far(&plane, *shaft->far->movers->far, ref);
-        lim_plane_bring(&plane, shaft->far->movers, LIM_NONE, shaft->far->mover);
+        lim_shaft_unpack_far(&plane, shaft, ref);
     } else {
         lim_plane_unpack(&plane, scene, ref);
     }
@@ -255,7 +184,11 @@ bool lim_shaft_meets_scene(const struct lim_shaft *shaft, const struct lim_route
         }
         node = &route->scene->nodes[next];
         next = LIM_NO_INDEX;
-        if (LIM_HAS_CULL && node->box != LIM_NO_INDEX && !may_meet_box(shaft, route->scene, node->box)) continue;
+        if (LIM_HAS_CULL && node->box != LIM_NO_INDEX &&
+            !(LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene)
+                  ? lim_shaft_meets_long_box(shaft, route->scene, node->box)
+                  : meets_box(shaft, &route->scene->boxes[node->box])))
+            continue;
         if (lim_node_is_leaf(node)) {
             if (meets_run(shaft, route, node->front_run)) return true;
             continue;

@@ -33,8 +33,15 @@ bool lim_shadow_set(struct lim_shaft *shadow, const struct lim_eye *eye, const s
 
 bool lim_shaft_meets_extent(const struct lim_shaft *shaft, const struct lim_extent *extent);
 
-/* The same of another mover's, in the frame of that. */
+/* In a long scene: the same of another mover's, in the frame of that; of the scene's boxes and polygons. A plane of the
+ * scene in the shaft's frame; and the shaft's end there, if it is an axis plane. */
 bool lim_shaft_meets_far_extent(const struct lim_shaft *shaft, const struct lim_extent *extent, int8_t exponent);
+bool lim_shaft_meets_long_box(const struct lim_shaft *shaft, const struct lim_scene *scene, lim_index number);
+bool lim_shaft_meets_long_polygon(const struct lim_shaft *shaft, const struct lim_scene *scene,
+                                  const LIM_FLASH lim_index *record);
+void lim_shaft_unpack_far(struct lim_plane_unpacked *plane, const struct lim_shaft *shaft,
+                          const LIM_FLASH struct lim_plane_ref *ref);
+void lim_shaft_end_far(struct lim_shaft *shaft, const struct lim_plane_unpacked *plane, bool in_front);
 
 /* Whether a polygon in the plane of the node that the route is to enter, or beyond it, may hide something of `of`; or
  * of a shadow, whether one in the plane, or on the eye's side of it, may be hidden. */
