@@ -11,11 +11,11 @@
 #include "compiler/order_choice.h"
 #include "compiler/pool_sizes.h"
 #include "compiler/texture_budget.h"
+#include "instance.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
-#include "instance.h"
 #include "scene/method.h"
 #include "scene/moving.h"
 #include "scene/moving_textures.h"
@@ -58,8 +58,8 @@ static bool object_grid(const struct grid *scene, const struct model *part, stru
         for (int k = 0; k < 3; k++)
             farthest_m = fmax(farthest_m, fabs(part->points[i][k]));
     *grid = (struct grid){.units_per_m = scene->units_per_m};
-    for (*coarser_bits = 0; scene->is_long && *coarser_bits < COARSER_BITS_MAX &&
-                            !(farthest_m * grid->units_per_m <= GRID_END);
+    for (*coarser_bits = 0;
+         scene->is_long && *coarser_bits < COARSER_BITS_MAX && !(farthest_m * grid->units_per_m <= GRID_END);
          ++*coarser_bits)
         grid->units_per_m /= 2;
     if (!(farthest_m * grid->units_per_m <= GRID_END)) return false;
@@ -283,6 +283,7 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     model_free(&part);
     free(numbers);
     if (!ok) return false;
+    moving->grid = scene->grid;
     moving->count = moving->model.mover_count;
     moving->objects = grow_zeroed(moving->count, sizeof *moving->objects);
     moving->instances = grow_zeroed(moving->count, sizeof *moving->instances);

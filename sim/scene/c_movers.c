@@ -99,7 +99,8 @@ static void write_origins(FILE *file, const struct moving_object *object, const 
 static void write_moved(FILE *file, const struct moving *moving, const struct c_name *name, size_t i)
 {
     const struct lim_instance *instance = &moving->instances[i];
-    fprintf(file, "\n    {.object = &%s_object%zu_scene,\n     .motion = {.keys = %s_keys%zu, .count = %u, .repeats = true",
+    fprintf(file,
+            "\n    {.object = &%s_object%zu_scene,\n     .motion = {.keys = %s_keys%zu, .count = %u, .repeats = true",
             name->symbol, i + 1, name->symbol, i + 1, (unsigned)moving->objects[i].motion.count);
     if (moving->objects[i].origins) fprintf(file, ", .origins = {%s_origins%zu}", name->symbol, i + 1);
     fprintf(file, "},\n     .finer_bits = %u,\n     .by_centre = %s", (unsigned)instance->finer_bits,

@@ -26,7 +26,11 @@ struct moving {
     size_t stopped;                 /* movers of the file that MOVING_OFF made a part of the scene */
     struct lim_light light;         /* on: objects have none baked in */
     struct lim_movers_limits limits;
+    struct grid grid; /* of what stands still */
 };
+
+/* What stands still, made fit for its tree (mesh_clean()): on the grid that it has, if coordinates have 32 bits. */
+bool moving_clean_still(const struct moving *moving, const struct model *still, struct mesh *mesh, struct error *err);
 
 /* The time of the last keys. */
 double moving_length_s(const struct moving *moving);
