@@ -76,8 +76,8 @@ struct lim_motion {
 struct lim_moved {
     const struct lim_scene *object;
     struct lim_motion motion;
-    uint8_t finer_bits; /* lim_instance.finer_bits */
-    bool by_centre;     /* lim_instance.by_centre: `limner compile --movers centre` */
+    uint8_t finer_bits;                                /* lim_instance.finer_bits */
+    bool by_centre;                                    /* lim_instance.by_centre: `limner compile --movers centre` */
     LIM_OPTIONAL(uint8_t, coarser_bits, LIM_HAS_LONG); /* lim_instance.coarser_bits */
 };
 

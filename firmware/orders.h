@@ -139,8 +139,8 @@ struct lim_movers {
     LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES);    /* likewise */
     LIM_OPTIONAL(uint16_t, leaf_vertices, LIM_HAS_MESH_LEAVES);       /* the most that there is room for */
     LIM_OPTIONAL(uint16_t, leaf_polygons, LIM_HAS_MESH_LEAVES);
-    LIM_OPTIONAL(const struct lim_eye *, far, LIM_HAS_LONG);     /* of a long scene that they move in, or NULL; then */
-    LIM_OPTIONAL(struct lim_instance *, copies, LIM_HAS_LONG);   /* `instances` are these, each in its frame */
+    LIM_OPTIONAL(const struct lim_eye *, far, LIM_HAS_LONG);   /* of a long scene that they move in, or NULL; then */
+    LIM_OPTIONAL(struct lim_instance *, copies, LIM_HAS_LONG); /* `instances` are these, each in its frame */
 };
 
 /* How LIM_NEWELL works (newell.h). Zero is the default; either gives a right picture. */

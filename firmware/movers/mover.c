@@ -22,7 +22,6 @@
 #define AT_END_Q8 (INT32_C(1) << 24)
 enum { FINER_BITS_MAX = 3 };
 
-#if LIM_LONG_MULTIPLY || LIM_HAS_FRACTIONS || LIM_HAS_LONG
 /* A point of the object, `bits` fraction bits to its own unit. |v| < 2^16 units, so sums stay below 2^28 once they are
  * in Q12. */
 static inline void place_fine(const struct lim_instance *instance, const int32_t v[3], uint8_t bits, int32_t at_q12[3])
@@ -36,7 +35,6 @@ static inline void place_fine(const struct lim_instance *instance, const int32_t
         at_q12[i] = instance->at_q8[i] * 16 + ((int32_t)(sum >> (30 - 12 + bits)) >> instance->finer_bits);
     }
 }
-#endif
 
 #if LIM_LONG_MULTIPLY
 static void movers_place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
@@ -50,12 +48,10 @@ static void movers_place(const struct lim_instance *instance, const int32_t v[3]
 {
     const uint8_t shift = (uint8_t)(30 - 12 - 15 + instance->finer_bits);
 
-#if LIM_HAS_LONG
-    if (instance->finer_bits > 8) {
+    if (LIM_HAS_LONG && instance->finer_bits > 8) {
         place_fine(instance, v, 0, at_q12);
         return;
     }
-#endif
     for (uint_fast8_t i = 0; i < 3; i++) {
         int32_t high = 0, low = 0;
         for (uint_fast8_t j = 0; j < 3; j++) {

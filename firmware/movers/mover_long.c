@@ -9,8 +9,8 @@
 
 #include "eye.h"
 #include "math/relative.h"
+#include "movers/axes.h"
 #include "movers/deform.h"
-#include "movers/mover.h"
 #include "view/cull.h"
 #include "view/transform.h"
 #include "view/view.h"
@@ -39,8 +39,7 @@ static bool way_to_origin(int64_t way_q8[3], const struct lim_long_eye *eye, con
         if (abs_s32(instance->origin[i]) >= UINT32_C(1) << PLACE_END_BITS) return false;
         const int32_t whole = instance->origin[i] + (instance->at_q8[i] >> 8);
         if (abs_s32(whole) >= UINT32_C(1) << PLACE_END_BITS) return false;
-        way_q8[i] =
-            ((int64_t)whole - eye->at[i]) * 256 + (instance->at_q8[i] & 0xFF) - (int32_t)eye->fraction_q8[i];
+        way_q8[i] = ((int64_t)whole - eye->at[i]) * 256 + (instance->at_q8[i] & 0xFF) - (int32_t)eye->fraction_q8[i];
     }
     return true;
 }
@@ -163,7 +162,10 @@ void lim_mover_far_box(const struct lim_mover *mover, struct lim_box *box)
 /* As a number with a point that floats: 25 bits, and a shift above them. */
 int32_t lim_far_depth(const struct lim_movers *movers, int8_t exponent, const int32_t at_q12[3])
 {
-    const int64_t depth = (int64_t)lim_mover_depth(movers, at_q12) * (INT32_C(1) << (exponent - OWN_MIN));
+    int64_t ahead_q40 = 0;
+    for (uint_fast8_t i = 0; i < 3; i++)
+        ahead_q40 += (int64_t)movers->ahead_q28[i] * at_q12[i];
+    const int64_t depth = (ahead_q40 >> 31) * (INT32_C(1) << (exponent - OWN_MIN));
     uint64_t size = depth < 0 ? 0 - (uint64_t)depth : (uint64_t)depth;
     int32_t shift = 0;
 
@@ -264,8 +266,8 @@ static int_fast8_t lesser(int_fast8_t a, int_fast8_t b)
 }
 
 /* What lies within a plane's slack is on it: in any scene a unit, by which corners are off. Here units differ: it is
- * the larger of both, the scene's or the object's whose the plane is, and the corners' object's; but where that could be
- * seen, because the plane is less than 2^10 times as far away, the smaller one. */
+ * the larger of both, the scene's or the object's whose the plane is, and the corners' object's; but where that could
+ * be seen, because the plane is less than 2^10 times as far away, the smaller one. */
 void lim_plane_bring(struct lim_plane_unpacked *plane, const struct lim_movers *movers, uint16_t from, uint16_t to)
 {
     const int_fast8_t exponent = lim_mover_exponent(movers, to), own = movers->movers[to].eye.far->unit;

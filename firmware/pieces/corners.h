@@ -5,9 +5,7 @@
 #ifndef LIM_CORNERS_H
 #define LIM_CORNERS_H
 
-#include "movers/mover_long.h"
 #include "orders.h"
-#include "pieces/entry.h"
 #include "view/plane_unpacked.h"
 
 /* Holds something that moves, along the scene's axes. |coordinate| <= 2^28. */
@@ -31,15 +29,6 @@ void lim_plane_load_own(struct lim_plane_unpacked *plane, const struct lim_sorte
 
 /* The same in the static scene. */
 void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry);
-
-/* In a long scene, for what is asked of a mover's corners: brings the plane of entry `by` to the frame of mover `to`.
- */
-static inline void lim_plane_load_far(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t by,
-                                      uint16_t to)
-{
-    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers))
-        lim_plane_bring(plane, sorter->movers, lim_entry_owner(sorter, by), to);
-}
 
 /* Of the corners of an entry, in one of two places, those of the part on one side of a plane, in the other. NULL: as
  * below. */

@@ -7,6 +7,7 @@
 #include "routes/shaft.h"
 
 #include "eye.h"
+#include "movers/mover_long.h"
 #include "routes/route.h"
 
 #if LIM_HAS_MOVERS
