@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "instance.h"
+#include "scene.h"
 
 #include "math/orientation.h"
 

@@ -2,7 +2,7 @@
  *
  * Shoemake's spherical interpolation: q0 sin((1 - t) a) + q1 sin(t a), a half the angle between the two. The usual
  * divisor, sin a, goes without saying, because what comes out is made a unit again. */
-#include "instance.h"
+#include "scene.h"
 
 #include "camera.h"
 #include "math/fixed.h"

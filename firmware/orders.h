@@ -8,7 +8,7 @@
 
 #include "camera.h"
 #include "config.h"
-#include "instance.h"
+#include "scene.h"
 #include "stages.h"
 #include "target.h"
 

@@ -4,7 +4,7 @@
 #ifndef LIM_AXES_H
 #define LIM_AXES_H
 
-#include "instance.h"
+#include "scene.h"
 
 /* The sum of v[i] axes[j][i] over i: how far a vector reaches along one of the object's axes, Q30 times its own. */
 static inline int64_t lim_along_axis(const struct lim_instance *instance, uint_fast8_t j, const int32_t v[3])

@@ -6,7 +6,7 @@
 #ifndef LIM_DEFORM_H
 #define LIM_DEFORM_H
 
-#include "instance.h"
+#include "scene.h"
 #include "stages.h"
 #include "view/plane_unpacked.h"
 

@@ -260,7 +260,7 @@ static int64_t plane_scaled(int64_t x, int_fast8_t up)
     return x > PLANE_END ? PLANE_END : x < -PLANE_END ? -PLANE_END : x;
 }
 
-static int_fast8_t lesser(int_fast8_t a, int_fast8_t b)
+static int_fast8_t lesser_exponent(int_fast8_t a, int_fast8_t b)
 {
     return a < b ? a : b;
 }
@@ -275,7 +275,7 @@ void lim_plane_bring(struct lim_plane_unpacked *plane, const struct lim_movers *
     const int_fast8_t own_from = from == LIM_NONE ? 0 : movers->movers[from].eye.far->unit;
     const int64_t norm = norm_of(plane);
     const int64_t most = plane_scaled(norm, (int_fast8_t)((own > own_from ? own : own_from) - exponent));
-    const int64_t least = plane_scaled(norm, (int_fast8_t)(lesser(own, own_from) - exponent));
+    const int64_t least = plane_scaled(norm, (int_fast8_t)(lesser_exponent(own, own_from) - exponent));
 
     plane->d = plane_scaled(plane->d, (int_fast8_t)(exponent_from - exponent));
     const int64_t seldom_seen = (plane->d < 0 ? -plane->d : plane->d) >> 10;

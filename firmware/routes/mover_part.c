@@ -14,7 +14,7 @@
 #define DOUBT_Q14 (3 * INT32_C(32768) + 6 * INT32_C(16384))
 #define DOUBT_A_UNIT_Q14 (4 * INT32_C(16384))
 
-enum { FINER_BITS_MAX = 3 };
+enum { TURNED_BITS_MAX = 3 };
 
 static int32_t saturate(int64_t x)
 {
@@ -31,7 +31,7 @@ void lim_plane_turn(struct lim_turned_plane *turned, const struct lim_instance *
     const uint8_t spare = axis != LIM_NO_AXIS ? 31 : clz_u32(abs_s32(n[0]) | abs_s32(n[1]) | abs_s32(n[2]));
     int64_t offset_q8 = plane->d * 256;
 
-    if (LIM_HAS_LONG && instance->finer_bits > FINER_BITS_MAX) { /* in a long scene, far away: nothing is certain */
+    if (LIM_HAS_LONG && instance->finer_bits > TURNED_BITS_MAX) { /* in a long scene, far away: nothing is certain */
         turned->n_q14[0] = turned->n_q14[1] = turned->n_q14[2] = 0;
         turned->front_q14 = INT32_MAX;
         turned->back_q14 = INT32_MIN;

@@ -5,10 +5,10 @@
 #include "levels/level_import.h"
 
 #include "base/grow.h"
-#include "instance.h"
 #include "levels/level_path.h"
 #include "levels/level_sectors.h"
 #include "levels/level_walls.h"
+#include "scene.h"
 
 #include <stdarg.h>
 #include <stdio.h>

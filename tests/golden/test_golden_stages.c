@@ -6,10 +6,10 @@
  * answer is another. GOLDEN_FRAMES=write writes the file anew. */
 #include "eye.h"
 #include "golden_stage.h"
-#include "instance.h"
 #include "math/orientation.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/random_camera.h"
+#include "scene.h"
 #include "screen/edge.h"
 #include "screen/project.h"
 #include "screen/samples.h"
