@@ -391,7 +391,7 @@ static LIM_RARE void set_view(struct lim_view *to, const struct lim_view *from, 
 /* In a long scene the mover's own; else what is asked for. */
 static LIM_IF_CALLED bool set_any_eye(struct lim_movers *movers, uint16_t i, int32_t own_q8[3])
 {
-    if (lim_movers_are_far(movers)) return lim_mover_approach(movers, i);
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) return lim_mover_approach(movers, i);
     return turn_eye(own_q8, movers->camera.eye_q8, &movers->instances[i]);
 }
 

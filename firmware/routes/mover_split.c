@@ -36,7 +36,8 @@ static LIM_IF_CALLED void divider_bring(struct divider *out, const struct divide
     out->ref = divider->ref;
     out->mover = divider->mover;
     out->eye_side = divider->eye_side;
-    lim_plane_bring(&out->plane, sorter->movers, divider->mover, lim_entry_owner(sorter, entry));
+    if (LIM_HAS_FAR_MOVERS)
+        lim_plane_bring(&out->plane, sorter->movers, divider->mover, lim_entry_owner(sorter, entry));
 }
 
 /* Where the eye is, or the side that is walked first. */
@@ -332,7 +333,8 @@ static LIM_IF_CALLED bool keep_uncut_far(struct lim_sorter *sorter, const struct
     struct divider brought;
     struct lim_reach reach;
 
-    if (!lim_movers_are_far(sorter->movers)) return keep_uncut(sorter, divider, route, list, entry);
+    if (!LIM_HAS_FAR_MOVERS || !lim_movers_are_far(sorter->movers))
+        return keep_uncut(sorter, divider, route, list, entry);
     divider_bring(&brought, divider, sorter, entry);
     brought.own = divider->mover == LIM_NONE ? brought.plane : divider->own;
     if (divider->mover == LIM_NONE)

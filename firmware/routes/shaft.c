@@ -132,15 +132,29 @@ static bool meets_polygon(const struct lim_shaft *shaft, const struct lim_scene 
     return false;
 }
 
+/* The same in a long scene. */
+static LIM_IF_CALLED bool meets_far_polygon(const struct lim_shaft *shaft, const struct lim_scene *scene,
+                                            const LIM_FLASH lim_index *record)
+{
+    if (LIM_HAS_FAR_MOVERS) return lim_shaft_meets_long_polygon(shaft, scene, record);
+    return true;
+}
+
+static LIM_IF_CALLED bool meets_far_box(const struct lim_shaft *shaft, const struct lim_scene *scene, lim_index box)
+{
+    if (LIM_HAS_FAR_MOVERS) return lim_shaft_meets_long_box(shaft, scene, box);
+    return true;
+}
+
 static bool meets_run(const struct lim_shaft *shaft, const struct lim_route *route, lim_index run)
 {
     const LIM_FLASH lim_index *record = &route->scene->polygons[run];
 
     if (run == LIM_NO_INDEX) return false;
     for (;; record += lim_record_words(record[0])) {
-        if (lim_record_is_seen(route->eye, record) && (LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene)
-                                                           ? lim_shaft_meets_long_polygon(shaft, route->scene, record)
-                                                           : meets_polygon(shaft, route->scene, record)))
+        if (lim_record_is_seen(route->eye, record) &&
+            (LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene) ? meets_far_polygon(shaft, route->scene, record)
+                                                                : meets_polygon(shaft, route->scene, record)))
             return true;
         if (record[0] & LIM_POLYGON_LAST) return false;
     }
@@ -186,9 +200,8 @@ bool lim_shaft_meets_scene(const struct lim_shaft *shaft, const struct lim_route
         node = &route->scene->nodes[next];
         next = LIM_NO_INDEX;
         if (LIM_HAS_CULL && node->box != LIM_NO_INDEX &&
-            !(LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene)
-                  ? lim_shaft_meets_long_box(shaft, route->scene, node->box)
-                  : meets_box(shaft, &route->scene->boxes[node->box])))
+            !(LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene) ? meets_far_box(shaft, route->scene, node->box)
+                                                                 : meets_box(shaft, &route->scene->boxes[node->box])))
             continue;
         if (lim_node_is_leaf(node)) {
             if (meets_run(shaft, route, node->front_run)) return true;
