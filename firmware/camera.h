@@ -76,6 +76,7 @@ struct lim_long_eye {
     const struct lim_long *all; /* the scene's arrays; NULL: it is none of 32 bits, and the rest is not set */
     int32_t at[3];
     uint8_t fraction_q8[3];
+    int8_t unit; /* of an object that moves in the scene: its units are 2^unit of the scene's; 0 of the scene */
 };
 
 /* lim_look_at() and lim_orbit() in a scene of many scales: eye, target and radius in whole units, below 2^30. The eye

@@ -10,6 +10,7 @@
 #include "eye.h"
 
 #include "math/relative.h"
+#include "view/plane_unpacked.h"
 
 #if LIM_HAS_LONG
 
@@ -27,6 +28,7 @@ bool lim_eye_set_long(struct lim_eye *eye, const struct lim_scene *scene, const 
         eye->far->fraction_q8[i] = (uint8_t)camera->eye_q8[i];
         if (abs_s32(eye->far->at[i]) >= (uint32_t)LIM_LONG_EYE_END) return false;
     }
+    eye->far->unit = 0;
     eye->near_end = 0;
     return true;
 }
@@ -104,11 +106,29 @@ static inline uint8_t filter_shift(uint32_t size)
     return shift;
 }
 
+/* Of an object that moves, from so far away that only whole units fit: |n| < 2^31 and |e| < 2^29, as |d| < 2^48. */
+static LIM_RARE int32_t remote_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref)
+{
+    const struct lim_long_eye *from = eye->far;
+    struct lim_plane_unpacked plane;
+    int64_t rest_q8 = 0;
+
+    lim_plane_unpack(&plane, eye->scene, ref);
+    int64_t whole = -plane.d;
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        whole += (int64_t)plane.n[i] * from->at[i];
+        rest_q8 += (int64_t)plane.n[i] * from->fraction_q8[i];
+    }
+    whole += rest_q8 >> 8;
+    return whole ? (whole > 0) - (whole < 0) : (rest_q8 & 0xFF) != 0;
+}
+
 int32_t lim_eye_long_side(const struct lim_eye *eye, const LIM_FLASH struct lim_plane_ref *ref)
 {
     const struct lim_long_eye *from = eye->far;
     const struct lim_long *all = from->all;
 
+    if (LIM_HAS_MOVERS && !all->vertices) return remote_side(eye, ref);
     if (ref->plane >= LIM_PLANE_X) return side_of_axis(from, &all->vertices[(lim_index)ref->offset], ref->plane & 3);
     const LIM_FLASH struct lim_long_plane *plane = &all->planes[ref->plane];
     const LIM_FLASH struct lim_long_vertex *vertex = &all->vertices[plane->vertex];

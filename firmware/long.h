@@ -3,7 +3,7 @@
  * Scenes of many scales: a screw and the ship that it is in. Units are as fine as the screw wants them, and coordinates
  * have 32 bits in place of 16. Such a scene is called long. It has these arrays instead of lim_scene.vertices, planes,
  * exact and boxes, and one more beside lim_scene.mappings; nodes, records, textures and all else are as in any scene.
- * Movers are scenes of 16 bits in any case.
+ * What moves in them are scenes of 16 bits in any case, each with a unit of its own: struct lim_instance.
  *
  * Nothing is asked of the grid but to hold the scene: a point is seen from the eye, as a way of three numbers with one
  * exponent (math/relative.h), so what is near is as exact as if the rest were not there. */
@@ -11,6 +11,10 @@
 #define LIM_LONG_H
 
 #include "scene.h"
+
+/* Of lim_instance finer_bits are 0..8 here, and where they are 0 coarser_bits 0..14; |origin|, and together with at_q8,
+ * is below 2^30. An object from which the eye is 2^29 of its own units away or more is left out: it is a part of a
+ * pixel. In lim_motion each key's at_q8 counts from origins[]. */
 
 #define LIM_LONG_END (INT32_C(1) << 29)     /* |coordinate| of vertices and boxes up to this, units: a span of 2^30 */
 #define LIM_LONG_EYE_END (INT32_C(1) << 30) /* |coordinate| of the eye, rounded down, below this, units */

@@ -7,6 +7,7 @@
 #include "camera.h"
 #include "math/fixed.h"
 #include "math/isqrt.h"
+#include "movers/motion_long.h"
 
 #if LIM_HAS_MOVERS
 
@@ -148,6 +149,7 @@ void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim
     const bool moves = k < last && time_ms > keys[k].time_ms;
     const uint32_t t_q31 = moves ? ratio_q31(time_ms - keys[k].time_ms, keys[k + 1].time_ms - keys[k].time_ms) : 0;
     interpolate(&keys[k], &keys[k < last ? k + 1 : k], t_q31, instance);
+    if (LIM_HAS_LONG) lim_motion_go_far(motion, k, k < last ? (uint16_t)(k + 1) : k, t_q31, instance);
 }
 
 void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_ms, struct lim_instance *instances)
@@ -156,6 +158,7 @@ void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_m
         instances[i].object = moved[i].object;
         instances[i].finer_bits = moved[i].finer_bits;
         instances[i].by_centre = moved[i].by_centre;
+        if (LIM_HAS_LONG) *instances[i].coarser_bits = *moved[i].coarser_bits;
         lim_motion_at(&moved[i].motion, time_ms, &instances[i]);
     }
 }

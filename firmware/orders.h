@@ -65,7 +65,7 @@ struct lim_mesh_leaf {
     lim_word_s64 from, end;
 };
 
-/* An instance as this frame has it. */
+/* An instance as this frame has it; in a long scene, in a frame of reference of its own (mover_long.h). */
 struct lim_mover {
     struct lim_view view; /* in the object's coordinates, once lim_mover_view() has set its rows; the cache is shared */
     struct lim_eye eye;   /* likewise */
@@ -104,7 +104,8 @@ enum { LIM_PLACED_PLANES = 4 };
 /* Corners of a piece. */
 struct lim_corners {
     uint8_t n;
-    int32_t at_q12[LIM_PIECE_VERTICES][3]; /* |coordinate| <= 2^27, of movers 2^28 */
+    LIM_OPTIONAL(int8_t, exponent, LIM_HAS_LONG); /* in a long scene: lim_mover_exponent() */
+    int32_t at_q12[LIM_PIECE_VERTICES][3];        /* |coordinate| <= 2^27, of movers 2^28 */
 };
 
 /* Those of the piece that a cut has made; LIM_NONE: of none. Pieces in front and behind have a place each. */
@@ -138,6 +139,8 @@ struct lim_movers {
     LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES);    /* likewise */
     LIM_OPTIONAL(uint16_t, leaf_vertices, LIM_HAS_MESH_LEAVES);       /* the most that there is room for */
     LIM_OPTIONAL(uint16_t, leaf_polygons, LIM_HAS_MESH_LEAVES);
+    LIM_OPTIONAL(const struct lim_eye *, far, LIM_HAS_LONG);   /* of a long scene that they move in, or NULL; then */
+    LIM_OPTIONAL(struct lim_instance *, copies, LIM_HAS_LONG); /* `instances` are these, each in its frame */
 };
 
 /* How LIM_NEWELL works (newell.h). Zero is the default; either gives a right picture. */
@@ -372,7 +375,7 @@ struct lim_convex {
 
 /* For lim_movers_init(): `depth` of the static scene, `object_depth` and the rest as struct lim_movers_limits. */
 #define LIM_MOVERS_MEM_B(depth, instance_count, object_depth, entry_count)                                             \
-    LIM_MEM_ALIGNED_B((instance_count) * sizeof(struct lim_mover) +                                                    \
+    LIM_MEM_ALIGNED_B((instance_count) * (sizeof(struct lim_mover) + LIM_HAS_LONG * sizeof(struct lim_instance)) +     \
                       (entry_count) *                                                                                  \
                           (sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) + sizeof(struct lim_cut)) +   \
                       LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \

@@ -196,13 +196,6 @@ static inline bool lim_texture_is_sky(const LIM_FLASH struct lim_texture *textur
     return LIM_HAS_SKY && texture->place_bits & LIM_TEXTURE_SKY;
 }
 
-/* A constant colour as the target's memory holds it: lim_memory_colour(). */
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)((rgb565) << 8 | (rgb565) >> 8))
-#else
-#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)(rgb565))
-#endif
-
 /* From which cell on a visible set holds. A cell is where the tree ends: twice the number of the node whose child is
  * missing, and 1 more behind its plane. Places come in their cells' order. Scenes of over 32767 nodes have none.
  *
@@ -230,6 +223,7 @@ struct lim_limits {
 
 LIM_OPTIONAL_BEGIN
 struct lim_long;
+struct lim_long_vertex;
 struct lim_scene {
     const LIM_FLASH struct lim_vertex *vertices;
     const LIM_FLASH struct lim_node *nodes; /* the root is nodes[0]; children come after parents */
@@ -429,8 +423,9 @@ static inline const LIM_FLASH struct lim_plane *lim_plane_at(const LIM_FLASH str
  * read while a frame is drawn; nothing of it is kept. */
 
 LIM_C_BEGIN
+LIM_OPTIONAL_BEGIN
 
-/* An object in its place. */
+/* An object in its place. In a scene of many scales long.h has the bounds. */
 struct lim_instance {
     const struct lim_scene *object; /* NULL, or without polygons: it is left out, and counted */
     int32_t at_q8[3];               /* its origin, units of the scene that it moves in, |at_q8| < 2^24 */
@@ -442,6 +437,8 @@ struct lim_instance {
      * first three corners, so triangles are best, and all are sorted anew. */
     bool deforms;
     bool by_centre; /* it enters the walk whole, at its centre: fast, and wrong where it reaches through a plane */
+    LIM_OPTIONAL(uint8_t, coarser_bits, LIM_HAS_LONG); /* or its unit is 2^coarser_bits of that scene's */
+    LIM_OPTIONAL(int32_t, origin, 3 * LIM_HAS_LONG);   /* where at_q8 counts from, units */
 };
 
 /* What the movers of a frame may take. All of an object has to lie within 2^16 units of the scene's origin, and the
@@ -472,15 +469,18 @@ struct lim_motion {
     const LIM_FLASH struct lim_motion_key *keys;
     uint16_t count; /* at least 1 */
     bool repeats;   /* after the last key comes the first; else the last one stays */
+    LIM_OPTIONAL(const LIM_FLASH struct lim_long_vertex *, origins, LIM_HAS_LONG); /* one a key (long.h), or NULL */
 };
 
 /* An object of a compiled model, and how its animation moves it. */
 struct lim_moved {
     const struct lim_scene *object;
     struct lim_motion motion;
-    uint8_t finer_bits; /* lim_instance.finer_bits */
-    bool by_centre;     /* lim_instance.by_centre: `limner compile --movers centre` */
+    uint8_t finer_bits;                                /* lim_instance.finer_bits */
+    bool by_centre;                                    /* lim_instance.by_centre: `limner compile --movers centre` */
+    LIM_OPTIONAL(uint8_t, coarser_bits, LIM_HAS_LONG); /* lim_instance.coarser_bits */
 };
+LIM_OPTIONAL_END
 
 /* Sets an instance for each of `count` objects as they are at a time. */
 void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_ms, struct lim_instance *instances);

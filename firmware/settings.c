@@ -159,6 +159,7 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
     if (!LIM_HAS_TREE || LIM_IS_SORTED(&lim->pass.target) || LIM_IS_CONVEX(&lim->pass.target)) movers->most = 0;
     if (!movers->most) return LIM_OK;
     movers->movers = lim_mem_cut(&at, limits->instances * sizeof *movers->movers);
+    if (LIM_HAS_LONG) *movers->copies = lim_mem_cut(&at, limits->instances * sizeof **movers->copies);
     sorter->size = limits->entries;
     sorter->list = lim_mem_cut(&at, limits->entries * sizeof *sorter->list);
     newell->polygons = lim_mem_cut(&at, limits->entries * sizeof *newell->polygons);

@@ -233,9 +233,10 @@ typedef int64_t lim_word_s64;
 struct lim_plane_unpacked {
     int32_t n[3];
     lim_word_s64 d;
-    lim_word_s64 slack; /* |n . p - d| up to this is on it: newell.h */
-    bool narrow;        /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
-    uint8_t axis;       /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
+    lim_word_s64 slack;                         /* |n . p - d| up to this is on it: newell.h */
+    bool narrow;                                /* n . p - d fits 32 bits for every vertex p: scene.h's bounds */
+    uint8_t axis;                               /* of which n is 1, |d| < 2^15; or LIM_NO_AXIS */
+    LIM_OPTIONAL(uint8_t, along, LIM_HAS_LONG); /* in a mover's frame: an axis of which n is LIM_FAR_AXIS; or that */
 };
 
 struct lim_portals {

@@ -27,6 +27,13 @@ enum lim_format {
     LIM_RGB565 /* two bytes a pixel as the bus wants them: the byte with the red bits first */
 };
 
+/* A constant colour as the target's memory holds it: lim_memory_colour(). */
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)((rgb565) << 8 | (rgb565) >> 8))
+#else
+#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)(rgb565))
+#endif
+
 enum lim_method {
     LIM_NEAREST_FIRST, /* every pixel painted once, line by line; no framebuffer needed */
     LIM_PAINTER,       /* back to front; the target lends all its lines at any time */

@@ -6,7 +6,7 @@
 . sim/targets/targets.sh
 
 # What the vectors reach of the renderer.
-fixed_sources='firmware/aim.c firmware/angle.c firmware/arctangent.c firmware/eye.c firmware/eye_long.c firmware/view/view_long.c firmware/view/clip_long.c firmware/math/fixed.c
+fixed_sources='firmware/aim.c firmware/angle.c firmware/arctangent.c firmware/eye.c firmware/eye_long.c firmware/view/view_long.c firmware/view/clip_long.c firmware/view/plane_unpacked.c firmware/math/fixed.c
     firmware/math/orientation.c firmware/screen/edge.c
     firmware/screen/edge_bounds.c firmware/screen/small.c firmware/view/rows.c firmware/view/view.c'
 

@@ -59,6 +59,7 @@ static void set_through(struct lim_plane_unpacked *plane, const int64_t n[3], co
     plane->d = plane->slack = 0;
     plane->narrow = false;
     plane->axis = LIM_NO_AXIS;
+    if (LIM_HAS_LONG) *plane->along = LIM_NO_AXIS;
     //@ loop pragma UNROLL "completely", 4;
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t part = (int32_t)n[i];
@@ -92,6 +93,10 @@ bool lim_deform_is_seen(const struct lim_eye *eye, const LIM_FLASH lim_index *re
 {
     struct lim_plane_unpacked plane;
 
+    if (LIM_HAS_LONG && eye->far->all) {
+        if (!lim_deform_plane(&plane, eye->scene, record)) return false;
+        return lim_plane_value(&plane, eye->far->at[0], eye->far->at[1], eye->far->at[2], 1) >= 0;
+    }
     return lim_deform_plane(&plane, eye->scene, record) &&
            lim_plane_value(&plane, eye->at_q8[0], eye->at_q8[1], eye->at_q8[2], 256) > 0;
 }

@@ -10,6 +10,7 @@
 #include "eye.h"
 #include "math/orientation.h"
 #include "movers/deform.h"
+#include "movers/mover_long.h"
 #include "pixels/texture.h"
 #include "view/pass.h"
 #include "view/rows.h"
@@ -21,7 +22,6 @@
 #define AT_END_Q8 (INT32_C(1) << 24)
 enum { FINER_BITS_MAX = 3 };
 
-#if LIM_LONG_MULTIPLY || LIM_HAS_FRACTIONS
 /* A point of the object, `bits` fraction bits to its own unit. |v| < 2^16 units, so sums stay below 2^28 once they are
  * in Q12. */
 static inline void place_fine(const struct lim_instance *instance, const int32_t v[3], uint8_t bits, int32_t at_q12[3])
@@ -35,7 +35,6 @@ static inline void place_fine(const struct lim_instance *instance, const int32_t
         at_q12[i] = instance->at_q8[i] * 16 + ((int32_t)(sum >> (30 - 12 + bits)) >> instance->finer_bits);
     }
 }
-#endif
 
 #if LIM_LONG_MULTIPLY
 static void movers_place(const struct lim_instance *instance, const int32_t v[3], int32_t at_q12[3])
@@ -49,6 +48,10 @@ static void movers_place(const struct lim_instance *instance, const int32_t v[3]
 {
     const uint8_t shift = (uint8_t)(30 - 12 - 15 + instance->finer_bits);
 
+    if (LIM_HAS_LONG && instance->finer_bits > 8) {
+        place_fine(instance, v, 0, at_q12);
+        return;
+    }
     for (uint_fast8_t i = 0; i < 3; i++) {
         int32_t high = 0, low = 0;
         for (uint_fast8_t j = 0; j < 3; j++) {
@@ -131,6 +134,7 @@ void lim_mover_turn(const struct lim_movers *movers, uint16_t mover, struct lim_
     plane->slack = (int64_t)abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]);
     plane->narrow = false;
     plane->axis = LIM_NO_AXIS;
+    if (LIM_HAS_LONG) *plane->along = LIM_NO_AXIS;
 }
 
 /* As corners are. */
@@ -181,7 +185,7 @@ static LIM_IF_CALLED void turn_textures(const struct lim_movers *movers, uint16_
 
     *self->texturing->first_texture = LIM_NONE;
     if (!frame || !lim_scene_shares_textures(frame->scene, instance->object) || lim_deforms(instance) ||
-        (LIM_HAS_LIGHT && movers->light->on))
+        (LIM_HAS_LIGHT && movers->light->on) || (LIM_HAS_FAR_MOVERS && lim_mover_is_remote(self)))
         return;
     if (lim_texture_add_moved(frame, self->texturing, lim_texture_numbers(frame->scene),
                               lim_texture_numbers(instance->object)))
@@ -202,9 +206,14 @@ static LIM_ALONE void turn_view(const struct lim_movers *movers, uint16_t mover)
             own_axes_q30[3 * i + j] =
                 (int32_t)shift_round_s64(lim_along_axis(instance, j, &movers->axes_q30[3 * i]), 30);
     }
-    const int32_t near_end_q8 = LIM_NEAR_MAX_Q8 >> instance->finer_bits;
-    own.near_q8 = own.near_q8 < near_end_q8 ? own.near_q8 << instance->finer_bits : LIM_NEAR_MAX_Q8;
-    turn_rows(&self->view, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30);
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) {
+        turn_rows(&self->view, (*movers->far)->scene, &own, own_axes_q30);
+        lim_mover_set_far_view(self);
+    } else {
+        const int32_t near_end_q8 = LIM_NEAR_MAX_Q8 >> instance->finer_bits;
+        own.near_q8 = own.near_q8 < near_end_q8 ? own.near_q8 << instance->finer_bits : LIM_NEAR_MAX_Q8;
+        turn_rows(&self->view, lim_deforms(instance) ? NULL : instance->object, &own, own_axes_q30);
+    }
     if (LIM_HAS_TEXTURE) turn_textures(movers, mover, &own, own_axes_q30);
 }
 
@@ -333,8 +342,11 @@ static bool is_usable(const struct lim_movers *movers, const struct lim_instance
 {
     const struct lim_scene *object = instance->object;
 
-    if (!object || !object->node_count || !object->polygon_count || instance->finer_bits > FINER_BITS_MAX) return false;
-    for (uint_fast8_t i = 0; i < 3; i++)
+    const bool is_far = LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers); /* then these are asked by its POSE */
+
+    if (!object || !object->node_count || !object->polygon_count || (!is_far && instance->finer_bits > FINER_BITS_MAX))
+        return false;
+    for (uint_fast8_t i = 0; i < 3 && !is_far; i++)
         if (abs_s32(instance->at_q8[i]) >= (uint32_t)AT_END_Q8) return false;
     return object->limits.vertices <= movers->most_corners && object->limits.depth <= movers->object_depth &&
            has_room_for_leaves(movers, instance) && (LIM_HAS_SLANTED || !object->plane_count) &&
@@ -376,6 +388,13 @@ static LIM_RARE void set_view(struct lim_view *to, const struct lim_view *from, 
     if (LIM_HAS_ANTIALIAS) lim_view_set_antialiased(to, lim_is_antialiased(from));
 }
 
+/* In a long scene the mover's own; else what is asked for. */
+static LIM_IF_CALLED bool set_any_eye(struct lim_movers *movers, uint16_t i, int32_t own_q8[3])
+{
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) return lim_mover_approach(movers, i);
+    return turn_eye(own_q8, movers->camera.eye_q8, &movers->instances[i]);
+}
+
 static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_t i)
 {
     const struct lim_instance *instance = &movers->instances[i];
@@ -383,9 +402,11 @@ static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_
     int32_t eye_q8[3];
 
     mover->radius_q12 = -1;
-    if (!is_usable(movers, instance) || !turn_eye(eye_q8, movers->camera.eye_q8, instance)) return false;
+    if (!is_usable(movers, instance) ||
+        !(LIM_HAS_FAR_MOVERS ? set_any_eye(movers, i, eye_q8) : turn_eye(eye_q8, movers->camera.eye_q8, instance)))
+        return false;
     set_view(&mover->view, view, movers->cache);
-    lim_eye_set(&mover->eye, instance->object, eye_q8);
+    if (!LIM_HAS_FAR_MOVERS || !lim_movers_are_far(movers)) lim_eye_set(&mover->eye, instance->object, eye_q8);
     if (LIM_HAS_LIGHT) turn_light(mover, instance, movers->light);
     set_ball(mover, instance);
     if (is_within(mover)) return true;
@@ -420,6 +441,10 @@ void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const str
     lim_mover_forget_corners(movers);
     if (!movers->given) return;
     movers->camera = *camera;
+    if (LIM_HAS_FAR_MOVERS) {
+        *movers->far = lim_scene_long(pass->scene) ? lim_eye_of(pass) : NULL;
+        if (*movers->far) lim_movers_copy(movers);
+    }
     if (LIM_HAS_TEXTURE) {
         *movers->texturing = lim_texture_count(pass->scene) ? pass->texturing : NULL;
         lim_texture_forget_moved(pass->texturing);
@@ -430,6 +455,7 @@ void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const str
         movers->ahead_q28[i] = movers->axes_q30[6 + i] >> 2;
         movers->eye_ahead_q40 += movers->ahead_q28[i] * ((int64_t)camera->eye_q8[i] * 16);
     }
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) movers->eye_ahead_q40 = 0; /* all of it is seen from there */
     set_view(&movers->world, &pass->view, pass->view.cache);
     for (uint16_t i = 0; i < movers->count; i++)
         drawn += pose(movers, &pass->view, i);

@@ -3,6 +3,8 @@
  * Which of two movers is nearer: a plane between them says so, if there is one. Some are tried. In: posed movers. */
 #include "movers/mover.h"
 
+#include "movers/mover_long.h"
+
 #if LIM_HAS_MOVERS
 
 /* As in rows.c, no less than a length. */
@@ -101,10 +103,76 @@ static bool is_parted(const struct lim_movers *movers, uint16_t of, uint16_t bal
     return is_parted_along_axis(&beside, eye_beside_box) || is_parted_along_way(&beside, eye_beside_box);
 }
 
+/* In a long scene: a mover in the frame of another one, whose units are as large as its own or larger. */
+struct in_frame {
+    const struct lim_instance *instance;
+    int32_t centre_q12[3], radius_q12, half_q12[3], own_half_q12[3];
+};
+
+static LIM_IF_CALLED void set_in_frame(struct in_frame *out, const struct lim_movers *movers, uint16_t mover,
+                                       int8_t exponent)
+{
+    const struct lim_mover *self = &movers->movers[mover];
+    const uint8_t down = (uint8_t)(exponent - lim_mover_exponent(movers, mover));
+
+    out->instance = &movers->instances[mover];
+    out->radius_q12 = out->instance->by_centre ? 0 : (self->radius_q12 >> down) + 2;
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        out->centre_q12[i] = self->centre_q12[i] >> down;
+        out->half_q12[i] = (self->half_q12[i] >> down) + 2;
+        out->own_half_q12[i] = (self->own_half_q12[i] >> down) + 2;
+    }
+}
+
+static LIM_IF_CALLED bool is_before_in_frame(const struct in_frame *a, const struct in_frame *b)
+{
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        const int32_t away_q12 = b->centre_q12[i] - a->centre_q12[i];
+        if ((int32_t)abs_s32(away_q12) < a->half_q12[i] + b->half_q12[i]) continue;
+        const int32_t end_q12 = b->centre_q12[i] + (away_q12 > 0 ? -b->half_q12[i] : b->half_q12[i]);
+        if (away_q12 > 0 ? end_q12 >= 0 : end_q12 < 0) return true;
+    }
+    return false;
+}
+
+static LIM_IF_CALLED bool is_parted_in_frame(const struct in_frame *box, const struct in_frame *ball,
+                                             bool eye_beside_box)
+{
+    int32_t away_q8[3], to_eye_q8[3];
+    struct beside beside;
+
+    beside.radius_q8 = (ball->radius_q12 >> 4) + 512;
+    for (uint_fast8_t i = 0; i < 3; i++) {
+        away_q8[i] = (ball->centre_q12[i] >> 4) - (box->centre_q12[i] >> 4);
+        to_eye_q8[i] = -(box->centre_q12[i] >> 4);
+    }
+    for (uint_fast8_t j = 0; j < 3; j++) {
+        beside.ball_q8[j] = (int32_t)(lim_along_axis(box->instance, j, away_q8) >> 30);
+        beside.eye_q8[j] = (int32_t)(lim_along_axis(box->instance, j, to_eye_q8) >> 30);
+        beside.half_q8[j] = box->own_half_q12[j] >> 4;
+    }
+    return is_parted_along_axis(&beside, eye_beside_box) || is_parted_along_way(&beside, eye_beside_box);
+}
+
+static LIM_IF_CALLED bool precedes_in_frame(const struct lim_movers *movers, uint16_t a, uint16_t b)
+{
+    const int8_t of_a = lim_mover_exponent(movers, a), of_b = lim_mover_exponent(movers, b);
+    struct in_frame first, second;
+
+    set_in_frame(&first, movers, a, of_a > of_b ? of_a : of_b);
+    set_in_frame(&second, movers, b, of_a > of_b ? of_a : of_b);
+    const int32_t far = lim_mover_depth(movers, first.centre_q12) + (first.radius_q12 >> 3);
+    const int32_t near = lim_mover_depth(movers, second.centre_q12) - (second.radius_q12 >> 3);
+    return far <= near || (!first.instance->by_centre && !second.instance->by_centre &&
+                           (is_before_in_frame(&first, &second) || is_parted_in_frame(&first, &second, true) ||
+                            is_parted_in_frame(&second, &first, false)));
+}
+
 bool lim_mover_precedes(const struct lim_movers *movers, uint16_t a, uint16_t b)
 {
     const struct lim_mover *first = &movers->movers[a], *second = &movers->movers[b];
 
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) return precedes_in_frame(movers, a, b);
     return is_nearer(movers, a, b) || (!movers->instances[a].by_centre && !movers->instances[b].by_centre &&
                                        (is_before_along_axis(movers, first, second) || is_parted(movers, a, b, true) ||
                                         is_parted(movers, b, a, false)));

@@ -52,6 +52,10 @@ void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *s
 {
     const uint16_t owner = lim_entry_owner(sorter, entry);
 
+    if (LIM_HAS_FAR_MOVERS && owner == LIM_NONE && lim_movers_are_far(sorter->movers)) {
+        lim_plane_unpack_far(plane, *sorter->movers->far, lim_plane_of(sorter, entry));
+        return;
+    }
     if (!LIM_HAS_MOVERS || owner == LIM_NONE) {
         lim_plane_load_own(plane, sorter, entry);
     } else if (LIM_OPTIMISE_SIZE || (LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, entry))) {
@@ -91,6 +95,8 @@ static void load_corners(struct lim_corners *corners, const struct lim_sorter *s
     const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
 
     corners->n = (uint8_t)(record[0] & LIM_POLYGON_COUNT);
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers))
+        *corners->exponent = lim_mover_exponent(sorter->movers, lim_entry_owner(sorter, entry));
     for (uint_fast8_t k = 0; k < corners->n; k++)
         lim_entry_corner(sorter, entry, record[LIM_POLYGON_HEAD_WORDS + k], corners->at_q12[k]);
 }
@@ -112,6 +118,14 @@ static void add_corner(struct lim_corners *to, const int32_t at_q12[3])
     corner[2] = at_q12[2];
 }
 
+/* Parts are in the frame of their whole. */
+static LIM_IF_CALLED void keep_frame(struct lim_corners *front, struct lim_corners *back,
+                                     const struct lim_corners *from)
+{
+    if (front) *front->exponent = *from->exponent;
+    if (back) *back->exponent = *from->exponent;
+}
+
 /* The parts on both sides of a plane, or one: the other is NULL. false: one would have too many corners, or too few. */
 static bool cut_to(struct lim_corners *front, struct lim_corners *back, const struct lim_corners *from,
                    const struct lim_plane_unpacked *plane, uint_fast16_t most)
@@ -122,6 +136,7 @@ static bool cut_to(struct lim_corners *front, struct lim_corners *back, const st
 
     for (uint_fast8_t side = 0; side < 2; side++)
         if (parts[side]) parts[side]->n = 0;
+    if (LIM_HAS_FAR_MOVERS) keep_frame(front, back, from);
     for (uint_fast8_t k = 0; k < from->n; k++) {
         const int32_t *here = from->at_q12[k];
         const int64_t value = lim_corner_value(plane, here);
@@ -219,6 +234,8 @@ static const struct lim_corners *cut_corners(const struct lim_sorter *sorter, ui
         struct lim_corners *const there = here == &places[0] ? &places[1] : &places[0];
         struct lim_plane_unpacked plane;
         lim_plane_load(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX);
+        if (LIM_HAS_FAR_MOVERS)
+            lim_plane_load_far(&plane, sorter, newell->cuts[cut].by & LIM_SORTED_MAX, lim_entry_owner(sorter, entry));
         if (!clip_to(there, here, &plane, newell->cuts[cut].by & LIM_CUT_FRONT, most)) return NULL;
         here = there;
     }
@@ -228,6 +245,7 @@ static const struct lim_corners *cut_corners(const struct lim_sorter *sorter, ui
 static const struct lim_corners *copy_corners(struct lim_corners *to, const struct lim_corners *from)
 {
     to->n = from->n;
+    if (LIM_HAS_FAR_MOVERS) *to->exponent = *from->exponent;
     for (uint_fast8_t k = 0; k < from->n; k++)
         for (uint_fast8_t i = 0; i < 3; i++)
             to->at_q12[k][i] = from->at_q12[k][i];

@@ -6,12 +6,22 @@
 #define LIM_ENTRY_H
 
 #include "movers/mover.h"
+#include "movers/mover_long.h"
 #include "view/pass.h"
 
 /* The mover that an entry is a part of, or LIM_NONE. */
 static inline uint16_t lim_entry_owner(const struct lim_sorter *sorter, uint16_t entry)
 {
     return LIM_HAS_MOVERS ? sorter->newell->polygons[entry].owner : (uint16_t)LIM_NONE;
+}
+
+/* In a long scene, for what is asked of a mover's corners: brings the plane of entry `by` to the frame of mover `to`.
+ */
+static inline void lim_plane_load_far(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t by,
+                                      uint16_t to)
+{
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers))
+        lim_plane_bring(plane, sorter->movers, lim_entry_owner(sorter, by), to);
 }
 
 /* What its record is one of. */

@@ -140,6 +140,7 @@ uint8_t lim_piece_sides(const struct lim_sorter *sorter, uint16_t of, uint16_t b
         if (whole || sides != LIM_SIDE_BOTH) return sides;
     }
     lim_plane_load(&plane, sorter, by);
+    if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, lim_entry_owner(sorter, of));
     const uint8_t sides = sides_of_whole(sorter, of, &plane);
     return whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(sorter, of, &plane);
 }
@@ -167,6 +168,7 @@ static const struct lim_view *view_of(const struct lim_sorter *sorter, uint8_t *
     const bool is_newell = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target);
 
     *bits = is_newell ? 12 : 13;
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers)) return &sorter->pass->view;
     if (LIM_HAS_MOVERS && !is_newell) return lim_movers_world(sorter->movers);
     return &sorter->pass->view;
 }
@@ -176,6 +178,13 @@ static int32_t depth_of(const struct lim_sorter *sorter, const int32_t at_q12[3]
 {
     if (LIM_HAS_MOVERS && !LIM_IS_NEWELL(&sorter->pass->target)) return lim_mover_depth(sorter->movers, at_q12);
     return transform_fine(&sorter->pass->view.rows.row[2], at_q12, 12);
+}
+
+static LIM_IF_CALLED int32_t frame_depth_of(const struct lim_sorter *sorter, const struct lim_corners *corners,
+                                            uint_fast8_t k)
+{
+    if (!lim_movers_are_far(sorter->movers)) return depth_of(sorter, corners->at_q12[k]);
+    return lim_far_depth(sorter->movers, *corners->exponent, corners->at_q12[k]);
 }
 
 static void view_corner(const struct lim_sorter *sorter, const int32_t at_q12[3], struct lim_view_point *out)
@@ -189,6 +198,15 @@ static void view_corner(const struct lim_sorter *sorter, const int32_t at_q12[3]
     if (LIM_HAS_LONG) *out->exponent = 0;
 }
 
+static LIM_IF_CALLED void frame_view_corner(const struct lim_sorter *sorter, const struct lim_corners *corners,
+                                            uint_fast8_t k, struct lim_view_point *out)
+{
+    if (lim_movers_are_far(sorter->movers))
+        lim_far_view_corner(&sorter->pass->view, *corners->exponent, corners->at_q12[k], out);
+    else
+        view_corner(sorter, corners->at_q12[k], out);
+}
+
 static LIM_RARE bool project_corners(const struct lim_sorter *sorter, const struct lim_corners *corners,
                                      struct lim_screen_polygon *out)
 {
@@ -199,7 +217,8 @@ static LIM_RARE bool project_corners(const struct lim_sorter *sorter, const stru
     lim_clip_begin(&clips[0], view);
     clips[0].n = corners->n;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
-        view_corner(sorter, corners->at_q12[k], &clips[0].at[k]);
+        LIM_HAS_FAR_MOVERS ? frame_view_corner(sorter, corners, k, &clips[0].at[k])
+                           : view_corner(sorter, corners->at_q12[k], &clips[0].at[k]);
         lim_view_hide_edge(&clips[0].at[k], false);
     }
     const struct lim_clip_polygon *clipped = lim_clip(clips, view->rows.near_qv);
@@ -273,6 +292,7 @@ static bool piece_project(struct lim_sorter *sorter, uint16_t of, uint16_t by, u
         corners = lim_corners_of(sorter, of, places);
     } else {
         lim_plane_load(&plane, sorter, by);
+        if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, lim_entry_owner(sorter, of));
         corners = lim_corners_cut(sorter, of, &plane, (part == LIM_SIDE_FRONT) == polygons[by].eye_in_front, places);
     }
     return corners && project_corners(sorter, corners, out);
@@ -317,6 +337,7 @@ static LIM_IF_CALLED bool split_corners(struct lim_sorter *sorter, uint16_t entr
 
     if (LIM_OPTIMISE_SIZE) return true;
     lim_plane_load(&plane, sorter, by);
+    if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, lim_entry_owner(sorter, entry));
     return lim_corners_split(sorter, entry, &plane, sorter->newell->cuts_used);
 }
 
@@ -330,7 +351,8 @@ static bool find_bounds(struct lim_sorter *sorter, uint16_t entry, bool on_scree
 
     if (!corners) return false;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
-        const int32_t z_qv = depth_of(sorter, corners->at_q12[k]);
+        const int32_t z_qv =
+            LIM_HAS_FAR_MOVERS ? frame_depth_of(sorter, corners, k) : depth_of(sorter, corners->at_q12[k]);
         if (z_qv < near_qv) near_qv = z_qv;
         if (z_qv > far_qv) far_qv = z_qv;
     }

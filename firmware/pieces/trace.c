@@ -61,6 +61,7 @@ static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uin
     const uint_fast8_t n = record[0] & LIM_POLYGON_COUNT;
     int32_t before[3] = {0, 0, 0}, here[3];
     int64_t value_before = 0;
+    const int8_t exponent = LIM_HAS_FAR_MOVERS ? lim_far_exponent(sorter->movers, view, scene, record) : 0;
 
     chord->far_value = 0;
     for (uint_fast8_t i = 0; i < 3; i++) /* an initialiser would be a call of memset() */
@@ -69,6 +70,7 @@ static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uin
         const lim_index vertex = corners[k < n ? k : 0];
         struct lim_view_point point;
         lim_view_transform(view, scene, &scene->vertices[vertex], &point);
+        if (LIM_HAS_FAR_MOVERS) lim_far_raise(&point, exponent);
         if (LIM_HAS_TELE) lim_view_even(&view->rows, &point);
         const int64_t value = corner_value(sorter, entry, vertex, plane);
         halve_point(here, &point);
@@ -350,6 +352,9 @@ static void trace_of(struct trace *trace, const struct lim_sorter *sorter, uint1
     struct lim_plane_unpacked plane;
 
     lim_plane_load(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX);
+    if (LIM_HAS_FAR_MOVERS)
+        lim_plane_load_far(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX,
+                           lim_entry_owner(sorter, entry));
     set_trace(trace, sorter, entry, &plane);
 }
 

@@ -6,6 +6,7 @@
 
 #include "eye.h"
 #include "movers/deform.h"
+#include "movers/mover_long.h"
 #include "pieces/entry.h"
 #include "pieces/mesh_leaf.h"
 #include "routes/mover_part.h"
@@ -35,11 +36,15 @@ uint16_t lim_entry_new(struct lim_sorter *sorter, lim_index record, uint16_t own
 }
 
 /* Whether the box around it, as far as the grid reaches, is in view. */
-static bool is_in_view(const struct lim_mover *mover, const struct lim_cull *open)
+static bool is_in_view(const struct lim_mover *mover, const struct lim_cull *open, bool is_far)
 {
     struct lim_box box;
 
     if (!LIM_HAS_CULL) return true;
+    if (LIM_HAS_FAR_MOVERS && is_far) {
+        lim_mover_far_box(mover, &box);
+        return lim_cull_sees(open, &box);
+    }
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t centre = mover->centre_q12[i] >> 12, half = (mover->half_q12[i] >> 12) + 2;
         if (centre < -32768 || centre > 32767 || half > 32768) return true;
@@ -54,13 +59,14 @@ uint16_t lim_movers_list(struct lim_sorter *sorter, const struct lim_cull *open)
     struct lim_movers *movers = sorter->movers;
     uint16_t head;
     struct lim_queue queue = lim_queue_begin(sorter, &head);
+    const bool is_far = LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers);
 
     sorter->used = 0;
     sorter->newell->cuts_used = 0;
     lim_mover_forget_pieces(movers);
     for (uint16_t i = 0; i < movers->count; i++) {
         if (movers->movers[i].radius_q12 < 0) continue;
-        if (is_in_view(&movers->movers[i], open)) {
+        if (is_in_view(&movers->movers[i], open, is_far)) {
             const uint16_t entry = lim_entry_new(sorter, LIM_NO_INDEX, i, LIM_NO_INDEX);
             LIM_DEBUG_ASSERT(entry != LIM_NONE); /* there are as many as instances */
             if (entry != LIM_NONE) lim_queue_add(&queue, entry);
@@ -192,6 +198,7 @@ bool lim_movers_join(struct lim_sorter *sorter, lim_index run, uint16_t list)
     struct lim_queue queue = lim_queue_begin(sorter, &head);
 
     if (has_centres(sorter, list)) return false;
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers)) return false; /* these have no frame */
     if (!add_run(sorter, &queue, &leaf, NULL, LIM_NONE, run)) {
         sorter->used = used;
         return false;

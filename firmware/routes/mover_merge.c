@@ -4,6 +4,7 @@
 #include "routes/mover_merge.h"
 
 #include "movers/deform.h"
+#include "movers/mover_long.h"
 #include "pieces/entry.h"
 #include "routes/mover_list.h"
 #include "routes/mover_route.h"
@@ -33,6 +34,7 @@ static uint16_t choose_one(const struct lim_sorter *sorter, uint16_t list)
         const struct lim_instance *instance = &sorter->movers->instances[lim_entry_owner(sorter, list)];
         if (instance->by_centre || lim_deforms(instance)) return LIM_NONE;
         if (instance->object->node_count >= least || has_leaves(instance->object)) continue;
+        if (LIM_HAS_FAR_MOVERS && lim_mover_is_remote(&sorter->movers->movers[lim_entry_owner(sorter, list)])) continue;
         chosen = list;
         least = instance->object->node_count;
     }

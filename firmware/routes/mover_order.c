@@ -8,6 +8,7 @@
 
 #include "eye.h"
 #include "movers/deform.h"
+#include "movers/mover_long.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "pieces/mesh_leaf.h"
@@ -71,13 +72,21 @@ static bool bound_all(struct lim_sorter *sorter, uint16_t *list)
     return true;
 }
 
+static int32_t depth_of_centre(const struct lim_movers *movers, uint16_t mover)
+{
+    const struct lim_mover *self = &movers->movers[mover];
+
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers))
+        return lim_far_depth(movers, lim_mover_exponent(movers, mover), self->centre_q12);
+    return lim_mover_depth(movers, self->centre_q12);
+}
+
 /* Nothing better can be done: by farthest points, whatever they are. */
 static uint16_t sort_roughly(struct lim_sorter *sorter, uint16_t list)
 {
     for (uint16_t at = list; at != LIM_NONE; at = sorter->list[at].next) {
         if (lim_mover_is_whole(sorter, at))
-            sorter->list[at].far_qv =
-                lim_mover_depth(sorter->movers, sorter->movers->movers[lim_entry_owner(sorter, at)].centre_q12);
+            sorter->list[at].far_qv = depth_of_centre(sorter->movers, lim_entry_owner(sorter, at));
         else
             (void)lim_piece_bounds(sorter, at);
     }

@@ -14,6 +14,8 @@
 #define DOUBT_Q14 (3 * INT32_C(32768) + 6 * INT32_C(16384))
 #define DOUBT_A_UNIT_Q14 (4 * INT32_C(16384))
 
+enum { TURNED_BITS_MAX = 3 };
+
 static int32_t saturate(int64_t x)
 {
     return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (int32_t)x;
@@ -29,6 +31,12 @@ void lim_plane_turn(struct lim_turned_plane *turned, const struct lim_instance *
     const uint8_t spare = axis != LIM_NO_AXIS ? 31 : clz_u32(abs_s32(n[0]) | abs_s32(n[1]) | abs_s32(n[2]));
     int64_t offset_q8 = plane->d * 256;
 
+    if (LIM_HAS_LONG && instance->finer_bits > TURNED_BITS_MAX) { /* in a long scene, far away: nothing is certain */
+        turned->n_q14[0] = turned->n_q14[1] = turned->n_q14[2] = 0;
+        turned->front_q14 = INT32_MAX;
+        turned->back_q14 = INT32_MIN;
+        return;
+    }
     for (uint_fast8_t i = 0; i < 3; i++) {
         if (axis != LIM_NO_AXIS) { /* the same, of a normal of 1 */
             turned->n_q14[i] = instance->axes_q30[3 * i + axis] >> 17;
@@ -43,7 +51,11 @@ void lim_plane_turn(struct lim_turned_plane *turned, const struct lim_instance *
     if (axis != LIM_NO_AXIS) offset_q8 -= instance->at_q8[axis];
     offset_q8 *= INT32_C(1) << instance->finer_bits;
     const int64_t offset_q14 = spare > 26 ? offset_q8 * (INT64_C(1) << (spare - 26)) : offset_q8 >> (26 - spare);
-    const int64_t doubt_q14 = DOUBT_Q14 + (DOUBT_A_UNIT_Q14 * (INT64_C(1) << instance->finer_bits));
+    int64_t doubt_q14 = DOUBT_Q14 + (DOUBT_A_UNIT_Q14 * (INT64_C(1) << instance->finer_bits));
+    if (LIM_HAS_LONG) { /* a slack may be more than a unit */
+        const int64_t slack_q8 = plane->slack * (INT64_C(256) << instance->finer_bits);
+        doubt_q14 += spare > 26 ? slack_q8 * (INT64_C(1) << (spare - 26)) : slack_q8 >> (26 - spare);
+    }
     turned->front_q14 = saturate(offset_q14 + doubt_q14);
     turned->back_q14 = saturate(offset_q14 - doubt_q14);
 }
@@ -53,6 +65,7 @@ static void turn_plane_of(struct lim_turned_plane *turned, const struct lim_sort
     struct lim_plane_unpacked plane;
 
     lim_plane_load(&plane, sorter, by);
+    if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, owner);
     lim_plane_turn(turned, &sorter->movers->instances[owner], &plane);
 }
 
@@ -85,6 +98,7 @@ static uint8_t sides_of_cut(const struct lim_sorter *sorter, uint16_t by, uint16
     struct lim_plane_unpacked plane;
 
     lim_plane_load(&plane, sorter, by);
+    if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, lim_entry_owner(sorter, entry));
     const uint8_t sides = lim_piece_sides_of(sorter, entry, &plane);
     if (sides) return sides;
     return sorter->newell->polygons[by].eye_in_front ? LIM_SIDE_FRONT : LIM_SIDE_BACK;

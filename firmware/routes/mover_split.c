@@ -5,6 +5,7 @@
 #include "routes/mover_split.h"
 
 #include "eye.h"
+#include "movers/mover_long.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "pieces/piece.h"
@@ -27,6 +28,18 @@ struct divider {
     int32_t eye_side;
 };
 
+/* In a long scene, the same in the frame of a mover. */
+static LIM_IF_CALLED void divider_bring(struct divider *out, const struct divider *divider,
+                                        const struct lim_sorter *sorter, uint16_t entry)
+{
+    out->plane = divider->plane;
+    out->ref = divider->ref;
+    out->mover = divider->mover;
+    out->eye_side = divider->eye_side;
+    if (LIM_HAS_FAR_MOVERS)
+        lim_plane_bring(&out->plane, sorter->movers, divider->mover, lim_entry_owner(sorter, entry));
+}
+
 /* Where the eye is, or the side that is walked first. */
 static uint8_t near_side(const struct divider *divider)
 {
@@ -41,6 +54,12 @@ static uint8_t far_side(const struct divider *divider)
 /* Vertices that are asked at most, each for itself. */
 enum { VERTICES_MAX = 96 };
 
+/* Of its components, as slack is but in a frame. */
+static LIM_IF_CALLED int64_t sum_of(const struct lim_plane_unpacked *plane)
+{
+    return (int64_t)abs_s32(plane->n[0]) + abs_s32(plane->n[1]) + abs_s32(plane->n[2]);
+}
+
 /* How far it reaches from its centre along a plane's normal. */
 static int64_t reach_to(const struct lim_mover *mover, const struct lim_plane_unpacked *plane)
 {
@@ -53,7 +72,7 @@ static int64_t reach_to(const struct lim_mover *mover, const struct lim_plane_un
         box += (int64_t)abs_s32(plane->n[i]) * mover->half_q12[i];
     }
     /* As in mover.c, the normal's length. */
-    const int64_t length = longest + (plane->slack - longest) * 107 / 256 + 1;
+    const int64_t length = longest + ((LIM_HAS_LONG ? sum_of(plane) : plane->slack) - longest) * 107 / 256 + 1;
     const int64_t ball = length * mover->radius_q12;
     return ball < box ? ball : box;
 }
@@ -73,11 +92,21 @@ static uint8_t sides_of_ball(const struct lim_sorter *sorter, uint16_t owner, co
     return near < -reach - slack_q12 ? far_side(divider) : LIM_SIDE_BOTH;
 }
 
+/* The same of a part's box and an axis plane in a frame, if not 0: both in steps of two units. */
+static LIM_IF_CALLED uint8_t sides_along(const struct lim_extent *extent, const struct lim_plane_unpacked *plane)
+{
+    const int64_t end = plane->d >> 29;
+
+    if (extent->low[*plane->along] > end) return LIM_SIDE_FRONT;
+    return extent->high[*plane->along] < end ? LIM_SIDE_BACK : 0;
+}
+
 /* The same of a part's box, if not 0. Sums of a plane that is not large stay below 2^30. */
 static uint8_t sides_of_extent(const struct lim_extent *extent, const struct lim_plane_unpacked *plane)
 {
     int32_t low = 0, high = 0;
 
+    if (LIM_HAS_FAR_MOVERS && *plane->along != LIM_NO_AXIS) return sides_along(extent, plane);
     if (!plane->narrow) return 0;
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t n = plane->n[i];
@@ -140,12 +169,32 @@ static uint8_t sides_of(const struct lim_sorter *sorter, const struct divider *d
     return sides ? sides : LIM_SIDE_BOTH;
 }
 
+static LIM_IF_CALLED uint8_t sides_in_frame(const struct lim_sorter *sorter, const struct divider *divider,
+                                            uint16_t entry)
+{
+    struct divider brought;
+
+    if (!lim_movers_are_far(sorter->movers)) return sides_of(sorter, divider, entry);
+    divider_bring(&brought, divider, sorter, entry);
+    return sides_of(sorter, &brought, entry);
+}
+
 /* What cannot be divided goes where its centre is. */
 static uint8_t heavier_side(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
 {
     const struct lim_mover *mover = &sorter->movers->movers[lim_entry_owner(sorter, entry)];
 
     return lim_corner_value(plane, mover->centre_q12) < 0 ? LIM_SIDE_BACK : LIM_SIDE_FRONT;
+}
+
+static LIM_IF_CALLED uint8_t heavier_in_frame(const struct lim_sorter *sorter, uint16_t entry,
+                                              const struct divider *divider)
+{
+    struct divider brought;
+
+    if (!lim_movers_are_far(sorter->movers)) return heavier_side(sorter, entry, &divider->plane);
+    divider_bring(&brought, divider, sorter, entry);
+    return heavier_side(sorter, entry, &brought.plane);
 }
 
 static void set_sides(struct lim_sorter *sorter, uint16_t entry, uint8_t sides)
@@ -204,6 +253,8 @@ static bool meets_entry(struct lim_sorter *sorter, const struct lim_shaft *shaft
     const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
 
     if (!polygon->has_extent) lim_entry_set_extent(sorter, entry, reach_of(sorter, entry));
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers))
+        return lim_shaft_meets_far_extent(shaft, &polygon->extent, lim_mover_exponent(sorter->movers, polygon->owner));
     return lim_shaft_meets_extent(shaft, &polygon->extent);
 }
 
@@ -235,6 +286,10 @@ static bool stays(struct lim_sorter *sorter, const struct divider *divider, cons
     const uint8_t other = goes_near ? far_side(divider) : near_side(divider);
     struct lim_shaft shaft;
 
+    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers)) {
+        shaft.far->movers = sorter->movers;
+        shaft.far->mover = lim_entry_owner(sorter, entry);
+    }
     if (goes_near)
         lim_shaft_set(&shaft, route->eye, reach, &divider->own, front_is_near);
     else if (!lim_shadow_set(&shaft, route->eye, reach, &divider->own, front_is_near))
@@ -249,7 +304,8 @@ static bool find_sides(struct lim_sorter *sorter, const struct divider *divider,
     bool reaches = false;
 
     for (; list != LIM_NONE; list = sorter->list[list].next) {
-        const uint8_t sides = sides_of(sorter, divider, list);
+        const uint8_t sides =
+            LIM_HAS_FAR_MOVERS ? sides_in_frame(sorter, divider, list) : sides_of(sorter, divider, list);
         set_sides(sorter, list, sides ? sides : near_side(divider));
         reaches |= sides == LIM_SIDE_BOTH;
     }
@@ -271,6 +327,28 @@ static bool keep_uncut(struct lim_sorter *sorter, const struct divider *divider,
     return sides_at(sorter, entry) != LIM_SIDE_BOTH;
 }
 
+static LIM_IF_CALLED bool keep_uncut_far(struct lim_sorter *sorter, const struct divider *divider,
+                                         const struct lim_route *route, uint16_t list, uint16_t entry)
+{
+    struct divider brought;
+    struct lim_reach reach;
+
+    if (!LIM_HAS_FAR_MOVERS || !lim_movers_are_far(sorter->movers))
+        return keep_uncut(sorter, divider, route, list, entry);
+    divider_bring(&brought, divider, sorter, entry);
+    brought.own = divider->mover == LIM_NONE ? brought.plane : divider->own;
+    if (divider->mover == LIM_NONE)
+        reach = reach_of(sorter, entry);
+    else if (!lim_far_reach_beside(sorter->movers, lim_entry_owner(sorter, entry), divider->mover, reach.low_q12,
+                                   reach.high_q12))
+        return false;
+    if (stays(sorter, &brought, route, list, entry, &reach, true))
+        set_sides(sorter, entry, near_side(divider));
+    else if (stays(sorter, &brought, route, list, entry, &reach, false))
+        set_sides(sorter, entry, far_side(divider));
+    return sides_at(sorter, entry) != LIM_SIDE_BOTH;
+}
+
 /* Leaves on both sides what has to be cut. One that has found its side may let others find theirs. */
 static void decide(struct lim_sorter *sorter, const struct divider *divider, const struct lim_route *route,
                    uint16_t list)
@@ -280,11 +358,28 @@ static void decide(struct lim_sorter *sorter, const struct divider *divider, con
     while (again) {
         again = false;
         for (uint16_t at = list; at != LIM_NONE; at = sorter->list[at].next)
-            if (sides_at(sorter, at) == LIM_SIDE_BOTH && keep_uncut(sorter, divider, route, list, at)) again = true;
+            if (sides_at(sorter, at) == LIM_SIDE_BOTH &&
+                (LIM_HAS_FAR_MOVERS ? keep_uncut_far(sorter, divider, route, list, at)
+                                    : keep_uncut(sorter, divider, route, list, at)))
+                again = true;
     }
 }
 
 /* Cutting ---------------------------------------------------------------------------------------------------------- */
+
+/* In a frame; nothing in others. */
+static LIM_IF_CALLED void end_far_reach(struct lim_reach *reach, const struct lim_sorter *sorter, uint16_t entry,
+                                        const struct divider *divider, bool in_front)
+{
+    const uint8_t along = *divider->plane.along;
+    struct divider brought;
+
+    if (along == LIM_NO_AXIS) return;
+    divider_bring(&brought, divider, sorter, entry);
+    const int64_t end_q12 = brought.plane.d >> 16;
+    if (end_q12 <= reach->low_q12[along] || end_q12 >= reach->high_q12[along]) return;
+    *(in_front ? &reach->low_q12[along] : &reach->high_q12[along]) = (int32_t)end_q12 + !in_front;
+}
 
 /* The box ends at a plane along two axes. */
 static void set_part(struct lim_sorter *sorter, uint16_t entry, struct lim_reach reach, const struct divider *divider,
@@ -296,6 +391,7 @@ static void set_part(struct lim_sorter *sorter, uint16_t entry, struct lim_reach
 
     if (axis != LIM_NO_AXIS && in_front) reach.low_q12[axis] = end_q12;
     if (axis != LIM_NO_AXIS && !in_front) reach.high_q12[axis] = end_q12;
+    if (LIM_HAS_FAR_MOVERS) end_far_reach(&reach, sorter, entry, divider, in_front);
     newell->cuts[newell->cuts_used] =
         (struct lim_cut){newell->polygons[entry].cuts, (uint16_t)(divider->entry | (in_front ? LIM_CUT_FRONT : 0u))};
     newell->polygons[entry].cuts = newell->cuts_used++;
@@ -334,7 +430,8 @@ static void mover_split_one(struct lim_sorter *sorter, struct divider *divider, 
             return;
         }
         if (LIM_HAS_STATS) lim_stats_of(sorter->pass)->movers.forced++;
-        sides = heavier_side(sorter, entry, &divider->plane);
+        sides = LIM_HAS_FAR_MOVERS ? heavier_in_frame(sorter, entry, divider)
+                                   : heavier_side(sorter, entry, &divider->plane);
     }
     lim_queue_add(sides == LIM_SIDE_FRONT ? front : back, entry);
 }
@@ -350,7 +447,10 @@ void lim_movers_divide(const struct lim_route *route, int32_t eye_side, uint16_t
     divider.ref = &route->scene->nodes[route->next].split;
     divider.entry = LIM_NONE;
     divider.eye_side = eye_side;
-    lim_plane_unpack(&divider.own, route->scene, divider.ref);
+    if (LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene))
+        lim_plane_unpack_far(&divider.own, route->eye, divider.ref);
+    else
+        lim_plane_unpack(&divider.own, route->scene, divider.ref);
     divider.plane = divider.own;
     if (route->mover != LIM_NONE) lim_mover_turn(sorter->movers, route->mover, &divider.plane);
     if (find_sides(sorter, &divider, list)) decide(sorter, &divider, route, list);

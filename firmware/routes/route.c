@@ -5,6 +5,7 @@
 
 #include "eye.h"
 #include "movers/mover.h"
+#include "movers/mover_long.h"
 #include "view/cull.h"
 #include "view/pass.h"
 #include "view/walk.h"
@@ -138,10 +139,14 @@ void lim_route_object(struct lim_route *route, struct lim_sorter *sorter, uint16
     route->node = LIM_NO_INDEX;
     route->side = 0;
     route->back_to_front = back_to_front;
-    if (LIM_HAS_CULL && is_all_in_view(sorter, route->scene, open))
+    if (LIM_HAS_CULL && is_all_in_view(sorter, route->scene, open)) {
         movers->cull->inside_depth = 0;
-    else if (LIM_HAS_CULL)
+    } else if (LIM_HAS_CULL && LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) {
+        (void)lim_mover_view(movers, mover); /* sets its rows */
+        lim_mover_set_far_cull(movers->cull, self, open);
+    } else if (LIM_HAS_CULL) {
         lim_cull_set(movers->cull, lim_mover_view(movers, mover), self->eye.at_q8, open);
+    }
     lim_route_begin(route, LIM_NONE);
 }
 

@@ -7,6 +7,7 @@
 #include "routes/shaft.h"
 
 #include "eye.h"
+#include "movers/mover_long.h"
 #include "routes/route.h"
 
 #if LIM_HAS_MOVERS
@@ -65,6 +66,7 @@ static void set_box(struct lim_shaft *shaft, const struct lim_eye *eye, const st
 
 static void end_at_plane(struct lim_shaft *shaft, const struct lim_plane_unpacked *plane, bool in_front)
 {
+    if (LIM_HAS_FAR_MOVERS) lim_shaft_end_far(shaft, plane, in_front);
     if (plane->axis == LIM_NO_AXIS) return;
     *(in_front ? &shaft->low[plane->axis] : &shaft->high[plane->axis]) = (int32_t)plane->d;
 }
@@ -130,13 +132,30 @@ static bool meets_polygon(const struct lim_shaft *shaft, const struct lim_scene 
     return false;
 }
 
+/* The same in a long scene. */
+static LIM_IF_CALLED bool meets_far_polygon(const struct lim_shaft *shaft, const struct lim_scene *scene,
+                                            const LIM_FLASH lim_index *record)
+{
+    if (LIM_HAS_FAR_MOVERS) return lim_shaft_meets_long_polygon(shaft, scene, record);
+    return true;
+}
+
+static LIM_IF_CALLED bool meets_far_box(const struct lim_shaft *shaft, const struct lim_scene *scene, lim_index box)
+{
+    if (LIM_HAS_FAR_MOVERS) return lim_shaft_meets_long_box(shaft, scene, box);
+    return true;
+}
+
 static bool meets_run(const struct lim_shaft *shaft, const struct lim_route *route, lim_index run)
 {
     const LIM_FLASH lim_index *record = &route->scene->polygons[run];
 
     if (run == LIM_NO_INDEX) return false;
     for (;; record += lim_record_words(record[0])) {
-        if (lim_record_is_seen(route->eye, record) && meets_polygon(shaft, route->scene, record)) return true;
+        if (lim_record_is_seen(route->eye, record) &&
+            (LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene) ? meets_far_polygon(shaft, route->scene, record)
+                                                                : meets_polygon(shaft, route->scene, record)))
+            return true;
         if (record[0] & LIM_POLYGON_LAST) return false;
     }
 }
@@ -154,7 +173,11 @@ static bool is_beside(const struct lim_shaft *shaft, const struct lim_reach *of,
 {
     struct lim_plane_unpacked plane;
 
-    lim_plane_unpack(&plane, scene, ref);
+    if (LIM_HAS_FAR_MOVERS && lim_scene_long(scene)) {
+        lim_shaft_unpack_far(&plane, shaft, ref);
+    } else {
+        lim_plane_unpack(&plane, scene, ref);
+    }
     const int64_t end_q12 = value_at_end(&plane, of, !in_front), slack_q12 = plane.slack * LIM_CORNER_ONE_Q12;
     const int64_t inside_q12 = in_front ? end_q12 : -end_q12;
     return shaft->is_shadow ? inside_q12 > slack_q12 : inside_q12 >= -slack_q12;
@@ -176,7 +199,10 @@ bool lim_shaft_meets_scene(const struct lim_shaft *shaft, const struct lim_route
         }
         node = &route->scene->nodes[next];
         next = LIM_NO_INDEX;
-        if (LIM_HAS_CULL && node->box != LIM_NO_INDEX && !meets_box(shaft, &route->scene->boxes[node->box])) continue;
+        if (LIM_HAS_CULL && node->box != LIM_NO_INDEX &&
+            !(LIM_HAS_FAR_MOVERS && lim_scene_long(route->scene) ? meets_far_box(shaft, route->scene, node->box)
+                                                                 : meets_box(shaft, &route->scene->boxes[node->box])))
+            continue;
         if (lim_node_is_leaf(node)) {
             if (meets_run(shaft, route, node->front_run)) return true;
             continue;

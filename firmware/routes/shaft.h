@@ -11,10 +11,19 @@
 #include "orders.h"
 #include "pieces/corners.h"
 
+/* In a long scene: the frame of the mover that it is of, where its units are. */
+struct lim_shaft_frame {
+    const struct lim_movers *movers;
+    uint16_t mover;
+};
+
+LIM_OPTIONAL_BEGIN
 struct lim_shaft {
     int32_t low[3], high[3]; /* units */
     bool is_shadow;
+    LIM_OPTIONAL(struct lim_shaft_frame, far, LIM_HAS_LONG);
 };
+LIM_OPTIONAL_END
 
 /* Of the part of `of` beyond a plane that it reaches through, or on the eye's side of it. false: it has no end. */
 void lim_shaft_set(struct lim_shaft *shaft, const struct lim_eye *eye, const struct lim_reach *of,
@@ -23,6 +32,16 @@ bool lim_shadow_set(struct lim_shaft *shadow, const struct lim_eye *eye, const s
                     const struct lim_plane_unpacked *plane, bool front_is_near);
 
 bool lim_shaft_meets_extent(const struct lim_shaft *shaft, const struct lim_extent *extent);
+
+/* In a long scene: the same of another mover's, in the frame of that; of the scene's boxes and polygons. A plane of the
+ * scene in the shaft's frame; and the shaft's end there, if it is an axis plane. */
+bool lim_shaft_meets_far_extent(const struct lim_shaft *shaft, const struct lim_extent *extent, int8_t exponent);
+bool lim_shaft_meets_long_box(const struct lim_shaft *shaft, const struct lim_scene *scene, lim_index number);
+bool lim_shaft_meets_long_polygon(const struct lim_shaft *shaft, const struct lim_scene *scene,
+                                  const LIM_FLASH lim_index *record);
+void lim_shaft_unpack_far(struct lim_plane_unpacked *plane, const struct lim_shaft *shaft,
+                          const LIM_FLASH struct lim_plane_ref *ref);
+void lim_shaft_end_far(struct lim_shaft *shaft, const struct lim_plane_unpacked *plane, bool in_front);
 
 /* Whether a polygon in the plane of the node that the route is to enter, or beyond it, may hide something of `of`; or
  * of a shadow, whether one in the plane, or on the eye's side of it, may be hidden. */

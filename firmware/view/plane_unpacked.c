@@ -24,6 +24,7 @@ static void load_slanted(struct lim_plane_unpacked *plane, const struct lim_scen
 void lim_plane_unpack(struct lim_plane_unpacked *plane, const struct lim_scene *scene,
                       const LIM_FLASH struct lim_plane_ref *ref)
 {
+    if (LIM_HAS_LONG) *plane->along = LIM_NO_AXIS;
     if (LIM_HAS_SLANTED && ref->plane < LIM_PLANE_X) {
         load_slanted(plane, scene, lim_plane_at(scene->planes, ref->plane));
     } else {

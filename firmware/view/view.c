@@ -110,8 +110,8 @@ void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim
 {
     struct lim_view_point point;
 
-    if (LIM_HAS_LONG && lim_scene_long(scene)) {
-        lim_view_remember_long(view, vertex, entry);
+    if (LIM_HAS_LONG && view->rows.eye->all) {
+        lim_view_remember_long(view, scene, vertex, entry);
         return;
     }
     transform(view, scene, &scene->vertices[vertex], &point);
@@ -325,7 +325,10 @@ void lim_view_refine(struct lim_view *view, const struct lim_scene *scene, const
 void lim_view_transform(const struct lim_view *view, const struct lim_scene *scene,
                         const LIM_FLASH struct lim_vertex *vertex, struct lim_view_point *out)
 {
-    transform(view, scene, vertex, out);
+    if (LIM_HAS_LONG && LIM_HAS_MOVERS && view->rows.eye->all)
+        lim_view_transform_moved(view, scene, (lim_index)(vertex - scene->vertices), out);
+    else
+        transform(view, scene, vertex, out);
 }
 
 void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)

@@ -134,10 +134,13 @@ static inline void lim_view_even(const struct lim_rows *rows, struct lim_view_po
 /* Needs near <= z and |x|, |y| <= 2z, zoomed. */
 void lim_view_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out);
 
-/* These three of a vertex of a long scene. */
+/* These of a vertex of a long scene; and the last three of one of an object that moves in it, too. */
 void lim_view_transform_long(const struct lim_view *view, lim_index vertex, struct lim_view_point *out);
+void lim_view_transform_moved(const struct lim_view *view, const struct lim_scene *object, lim_index vertex,
+                              struct lim_view_point *out);
 void lim_view_project_long(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out);
-void lim_view_remember_long(struct lim_view *view, lim_index vertex, struct lim_view_cached *entry);
+void lim_view_remember_long(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,
+                            struct lim_view_cached *entry);
 
 /* Takes a vertex in, in the place of what the entry held. */
 void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,

@@ -20,13 +20,35 @@
  * what is so far to the side, or so far before the near plane, the clipping decides. */
 enum { CODE_SLACK = 256 };
 
-static inline void long_transform(const struct lim_rows *rows, lim_index vertex, struct lim_view_point *out)
+/* Of an object that moves in it, whose vertices have 16 bits. */
+static LIM_IF_CALLED void way_to_object(struct lim_relative *way, const struct lim_rows *rows,
+                                        const struct lim_scene *object, lim_index vertex)
+{
+    const struct lim_vertex at = object->vertices[vertex];
+    const struct lim_long_vertex far_at = {{at.x, at.y, at.z}};
+    const bool has_fraction = LIM_HAS_FRACTIONS && object->fractions;
+
+    lim_relative_set(way, rows->eye, (const LIM_FLASH struct lim_long_vertex *)&far_at,
+                     has_fraction ? &object->fractions[vertex] : NULL);
+    way->exponent = (int8_t)(way->exponent + rows->eye->unit);
+}
+
+static inline void way_to_vertex(struct lim_relative *way, const struct lim_rows *rows, lim_index vertex)
 {
     const struct lim_long *all = rows->eye->all;
-    const LIM_FLASH struct lim_fraction *fraction = all->fractions ? &all->fractions[vertex] : NULL;
+
+    lim_relative_set(way, rows->eye, &all->vertices[vertex], all->fractions ? &all->fractions[vertex] : NULL);
+}
+
+static inline void long_transform(const struct lim_rows *rows, const struct lim_scene *scene, lim_index vertex,
+                                  struct lim_view_point *out)
+{
     struct lim_relative way;
 
-    lim_relative_set(&way, rows->eye, &all->vertices[vertex], fraction);
+    if (LIM_HAS_MOVERS && !rows->eye->all->vertices)
+        way_to_object(&way, rows, scene, vertex);
+    else
+        way_to_vertex(&way, rows, vertex);
     LIM_UNROLLED(3)
     for (uint_fast8_t i = 0; i < 3; i++)
         out->qv[i] = transform_way(&rows->row[i], way.d);
@@ -37,7 +59,13 @@ static inline void long_transform(const struct lim_rows *rows, lim_index vertex,
 
 void lim_view_transform_long(const struct lim_view *view, lim_index vertex, struct lim_view_point *out)
 {
-    long_transform(&view->rows, vertex, out);
+    long_transform(&view->rows, NULL, vertex, out);
+}
+
+void lim_view_transform_moved(const struct lim_view *view, const struct lim_scene *object, lim_index vertex,
+                              struct lim_view_point *out)
+{
+    long_transform(&view->rows, object, vertex, out);
 }
 
 static inline void long_project(const struct lim_view *view, const struct lim_view_point *point, struct lim_point *out)
@@ -85,11 +113,12 @@ static inline bool is_long_seen(const struct lim_rows *rows, const struct lim_vi
            point->z_qv >= lim_view_near(point, rows->near_qv);
 }
 
-void lim_view_remember_long(struct lim_view *view, lim_index vertex, struct lim_view_cached *entry)
+void lim_view_remember_long(struct lim_view *view, const struct lim_scene *scene, lim_index vertex,
+                            struct lim_view_cached *entry)
 {
     struct lim_view_point point;
 
-    long_transform(&view->rows, vertex, &point);
+    long_transform(&view->rows, scene, vertex, &point);
     const uint8_t codes = is_long_seen(&view->rows, &point) ? 0 : long_codes(&view->rows, &point);
     entry->vertex = vertex;
     entry->codes = (lim_view_code_bits)(LIM_8_BIT ? codes : lim_view_both(codes));

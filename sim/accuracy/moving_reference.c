@@ -17,7 +17,7 @@ static bool add_groups(const struct moving *moving, size_t mover, uint32_t *grou
     uint32_t *numbers;
     model_part(&moving->model, mover, !mover, &part, &numbers);
     bool ok = mover ? mesh_clean_on(&part, &moving->objects[mover - 1].scene.grid, &mesh, err)
-                    : mesh_clean(&part, &mesh, err);
+                    : moving_clean_still(moving, &part, &mesh, err);
     if (ok) {
         ok = mesh_merge(&mesh, err);
         for (size_t i = 1; ok && i <= part.face_count; i++)
@@ -46,7 +46,8 @@ static bool reference_of_part(const struct moving *moving, size_t mover, struct 
     uint32_t *numbers;
     model_part(&moving->model, mover, !mover, &part, &numbers);
     const struct model view = source_view(&part);
-    bool ok = mesh_clean_fine(&view, mover ? &moving->objects[mover - 1].scene.grid : NULL, &mesh, err);
+    const struct grid *still = moving->grid.is_long ? &moving->grid : NULL;
+    bool ok = mesh_clean_fine(&view, mover ? &moving->objects[mover - 1].scene.grid : still, &mesh, err);
     if (ok) {
         for (size_t i = 0; i < mesh.polygon_count; i++)
             mesh.polygons[i].face = numbers[mesh.polygons[i].face - 1];

@@ -86,21 +86,20 @@ bool coordinates_parse(const char *text, enum coordinates *out, struct error *er
     return error_set(err, "--coordinates %s: no such choice; there are auto, 16 and 32", text);
 }
 
-static bool may_be_long(const struct compile_options *options, const struct model *model)
+static bool may_be_long(const struct compile_options *options)
 {
     const enum lim_method draws = compile_options_draws(options);
-    if (model->mover_count || options->drop_small) return false;
+    if (options->drop_small) return false;
     if (options->mesh_leaves == MESH_LEAVES_ALL) return false;
     return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
 }
 
-bool compile_options_coordinates(const struct compile_options *options, const struct model *model,
-                                 enum coordinates *out, struct error *err)
+bool compile_options_coordinates(const struct compile_options *options, enum coordinates *out, struct error *err)
 {
-    const bool may = may_be_long(options, model);
+    const bool may = may_be_long(options);
     *out = may ? options->coordinates : COORDINATES_16;
     return may || options->coordinates != COORDINATES_32 ||
-           error_set(err, "--coordinates 32: not with what moves, or methods that do not walk a tree");
+           error_set(err, "--coordinates 32: not with --drop-small, mesh leaves, or methods that do not walk a tree");
 }
 
 void compile_options_light(const struct compile_options *options, struct model *model)

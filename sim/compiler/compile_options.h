@@ -76,10 +76,9 @@ bool compile_options_may_leaf(const struct compile_options *options);
 /* --coordinates. */
 bool coordinates_parse(const char *text, enum coordinates *out, struct error *err);
 
-/* The coordinates that a model's scene may have: what asks for more than static faces of one colour by a method that
- * walks a tree cannot be long (firmware/long.h), and has 16 bits. Refuses it where 32 were asked for. */
-bool compile_options_coordinates(const struct compile_options *options, const struct model *model,
-                                 enum coordinates *out, struct error *err);
+/* The coordinates that a model's scene may have: what is not drawn by a method that walks a tree of all polygons cannot
+ * be long (firmware/long.h), and has 16 bits. Refuses it where 32 were asked for. */
+bool compile_options_coordinates(const struct compile_options *options, enum coordinates *out, struct error *err);
 
 /* What options own: after the scenes, which may lead into it, whether they were parsed or not. */
 void compile_options_free(struct compile_options *options);

@@ -433,7 +433,7 @@ bool faithful_clean(const struct model *model, const struct compile_options *opt
                     struct error *err)
 {
     enum coordinates coordinates;
-    if (!compile_options_coordinates(options, model, &coordinates, err)) return false;
+    if (!compile_options_coordinates(options, &coordinates, err)) return false;
     if (coordinates == COORDINATES_32) return clean_long(model, options->near_m, mesh, err);
     struct error refused = {0};
     const bool ok = mesh_clean(model, mesh, &refused);

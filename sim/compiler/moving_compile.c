@@ -25,8 +25,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FINER_BITS_MAX = 2, ENTRIES_A_POLYGON = 4, ENTRIES_SPARE = 256 };
-static const double GRID_END = 32767.0, AT_END_Q8 = 16777216.0;
+enum { FINER_BITS_MAX = 2, LONG_FINER_BITS_MAX = 8, COARSER_BITS_MAX = 14, ENTRIES_A_POLYGON = 4, ENTRIES_SPARE = 256 };
+static const double GRID_END = 32767.0, AT_END_Q8 = 16777216.0, ORIGIN_END = 1073741823.0;
 
 bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *err)
 {
@@ -47,16 +47,24 @@ bool moving_light_parse(const char *text, bool *out, struct error *err)
            error_set(err, "--mover-light %s: no such light; there are baked and turning", text);
 }
 
-/* The finest grid that holds the object. */
-static bool object_grid(const struct grid *scene, const struct model *part, struct grid *grid, uint8_t *finer_bits)
+/* The finest grid that holds the object. In a scene of many scales it may also be coarser. */
+static bool object_grid(const struct grid *scene, const struct model *part, struct grid *grid,
+                        struct lim_instance *instance)
 {
+    uint8_t *const finer_bits = &instance->finer_bits, *const coarser_bits = instance->coarser_bits;
+    const int most = scene->is_long ? LONG_FINER_BITS_MAX : FINER_BITS_MAX;
     double farthest_m = 0;
     for (size_t i = 0; i < part->point_count; i++)
         for (int k = 0; k < 3; k++)
             farthest_m = fmax(farthest_m, fabs(part->points[i][k]));
     *grid = (struct grid){.units_per_m = scene->units_per_m};
+    for (*coarser_bits = 0;
+         scene->is_long && *coarser_bits < COARSER_BITS_MAX && !(farthest_m * grid->units_per_m <= GRID_END);
+         ++*coarser_bits)
+        grid->units_per_m /= 2;
     if (!(farthest_m * grid->units_per_m <= GRID_END)) return false;
-    for (*finer_bits = 0; *finer_bits < FINER_BITS_MAX && farthest_m * grid->units_per_m * 2 <= GRID_END; ++*finer_bits)
+    for (*finer_bits = 0; *finer_bits < most && !*coarser_bits && farthest_m * grid->units_per_m * 2 <= GRID_END;
+         ++*finer_bits)
         grid->units_per_m *= 2;
     return true;
 }
@@ -69,14 +77,25 @@ static void number_faces(struct compiled *scene, const uint32_t *numbers)
         scene->report.leaf_parts.parts[i].face = numbers[scene->report.leaf_parts.parts[i].face - 1];
 }
 
-static bool key_set(const struct model_key *from, const struct grid *grid, struct lim_motion_key *to)
+/* `origin`: of a scene of many scales, where at_q8 counts from; or NULL. */
+static bool place_set(const struct model_key *from, const struct grid *grid, struct lim_motion_key *to,
+                      struct lim_long_vertex *origin)
+{
+    for (int i = 0; i < 3; i++) {
+        const double at = (from->pose.at_m[i] - grid->origin_m[i]) * grid->units_per_m;
+        if (!(origin ? fabs(at) < ORIGIN_END : fabs(at * 256) < AT_END_Q8)) return false;
+        const double whole = origin ? floor(at) : 0;
+        if (origin) origin->at[i] = (int32_t)whole;
+        to->at_q8[i] = (int32_t)lround((at - whole) * 256);
+    }
+    return true;
+}
+
+static bool key_set(const struct model_key *from, const struct grid *grid, struct lim_motion_key *to,
+                    struct lim_long_vertex *origin)
 {
     to->time_ms = (uint32_t)llround(from->time_s * 1000);
-    for (int i = 0; i < 3; i++) {
-        const double at_q8 = (from->pose.at_m[i] - grid->origin_m[i]) * grid->units_per_m * 256;
-        if (!(fabs(at_q8) < AT_END_Q8)) return false;
-        to->at_q8[i] = (int32_t)lround(at_q8);
-    }
+    if (!place_set(from, grid, to, origin)) return false;
     for (int i = 0; i < 4; i++)
         to->turn_q15[i] = (int16_t)fmin(fmax(round(from->pose.turn[i] * 32768), -32767), 32767);
     return true;
@@ -98,13 +117,16 @@ static bool motion_set(const struct model *model, size_t index, const struct gri
 {
     const struct model_mover *mover = &model->movers[index];
     object->keys = grow_zeroed(mover->key_count, sizeof *object->keys);
+    if (grid->is_long) object->origins = grow_zeroed(mover->key_count, sizeof *object->origins);
     if (mover->key_count > UINT16_MAX) return error_set(err, "node '%s': more than 65535 keys", mover->name);
     for (uint32_t i = 0; i < mover->key_count; i++)
-        if (!key_set(&model->keys[mover->first_key + i], grid, &object->keys[i]))
+        if (!key_set(&model->keys[mover->first_key + i], grid, &object->keys[i],
+                     grid->is_long ? &object->origins[i] : NULL))
             return error_set(err, "node '%s': it moves farther than twice the scene's size", mover->name);
     for (uint32_t i = 0; i + 1 < mover->key_count; i++)
         arc_set(&object->keys[i], &object->keys[i + 1]);
-    object->motion = (struct lim_motion){object->keys, (uint16_t)mover->key_count, true};
+    object->motion = (struct lim_motion){
+        .keys = object->keys, .count = (uint16_t)mover->key_count, .repeats = true, .origins = {object->origins}};
     return true;
 }
 
@@ -127,14 +149,14 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     own.worst_tries = 0;                /* pools are the scene's */
     own.path = (struct camera_path){0}; /* and so are cameras */
     own.forced_near_m = lens_forced_near_m(scene_grid);
-    own.leaves_open = is_open(options);
+    own.leaves_open = is_open(options) && !scene_grid->is_long;
     own.whole_leaf = true;
     own.method = &methods[0];
     own.tree = TREE_BSP;
     own.portals = PORTALS_OFF;
     memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
     model_part(&moving->model, index + 1, !moving->light.on, &part, &numbers);
-    bool ok = object_grid(scene_grid, &part, &grid, &instance->finer_bits) ||
+    bool ok = object_grid(scene_grid, &part, &grid, instance) ||
               error_set(err, "its mesh reaches farther from the node's origin than the scene that it moves in is "
                              "large; a ground in the scene helps, or --movers off");
     ok = ok && compile_part(&part, &grid, &own, &object->scene, err);
@@ -235,6 +257,14 @@ static bool predict_parts(struct moving *moving, const struct core *core, struct
     return ok;
 }
 
+/* In a scene of many scales what moves is not sorted with a leaf's polygons. */
+static bool may_move(const struct compiled *scene, enum tree_kind tree, struct error *err)
+{
+    return !scene->grid.is_long || !scene->report.leaves ||
+           error_set(err, "--tree %s: in a scene with coordinates of 32 bits nothing moves in a tree with leaves",
+                     tree_names[tree]);
+}
+
 static bool compile_parts(struct moving *moving, const struct compile_options *options, enum moving_mode mode,
                           struct compiled *scene, struct error *err)
 {
@@ -245,15 +275,15 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     if (!own.method) own.method = &methods[0]; /* nearest first */
     if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
     own.predict = false; /* all parts together are */
-    if (!compile_options_coordinates(options, &moving->model, &own.coordinates, err)) return false; /* all of it */
     model_part(&moving->model, 0, true, &part, &numbers);
     bool ok =
         part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
-    ok = ok && compile_part(&part, NULL, &own, scene, err);
+    ok = ok && compile_part(&part, NULL, &own, scene, err) && may_move(scene, own.tree, err);
     if (ok) number_faces(scene, numbers);
     model_free(&part);
     free(numbers);
     if (!ok) return false;
+    moving->grid = scene->grid;
     moving->count = moving->model.mover_count;
     moving->objects = grow_zeroed(moving->count, sizeof *moving->objects);
     moving->instances = grow_zeroed(moving->count, sizeof *moving->instances);

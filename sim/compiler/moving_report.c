@@ -11,7 +11,9 @@
 /* Its scene, its keys, and its entry in the table of objects. */
 static size_t object_flash_b(const struct moving_object *object)
 {
-    return object->scene.report.flash_b + object->motion.count * sizeof *object->keys + MCU_MOVED_B;
+    const size_t key_b = sizeof *object->keys + (object->origins ? sizeof *object->origins : 0);
+    return object->scene.report.flash_b + object->motion.count * key_b + MCU_MOVED_B +
+           (object->origins ? (size_t)MCU_MOVED_LONG_B : 0);
 }
 
 static void print_object(const struct moving_object *object)

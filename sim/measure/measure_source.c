@@ -65,8 +65,8 @@ static bool read_moving(struct measure_source *source, const struct compile_opti
     struct model part;
     uint32_t *numbers, *groups;
     model_part(&moving->model, 0, true, &part, &numbers);
-    bool ok = mesh_clean(&part, &source->mesh, err) && (options->keep_faces || mesh_merge(&source->mesh, err)) &&
-              mesh_insert_t_vertices(&source->mesh, err);
+    bool ok = moving_clean_still(moving, &part, &source->mesh, err) &&
+              (options->keep_faces || mesh_merge(&source->mesh, err)) && mesh_insert_t_vertices(&source->mesh, err);
     model_free(&part);
     free(numbers);
     if (!ok || !moving_groups(moving, &groups, err)) return false;

@@ -85,6 +85,30 @@ static void write_keys(FILE *file, const struct moving_object *object, const str
     fprintf(file, "\n};\n");
 }
 
+/* Where keys of a scene of many scales count from. */
+static void write_origins(FILE *file, const struct moving_object *object, const struct c_name *name, size_t i)
+{
+    fprintf(file, "\nstatic const LIM_FLASH struct lim_long_vertex %s_origins%zu[%u] = {", name->symbol, i + 1,
+            (unsigned)object->motion.count);
+    for (size_t k = 0; k < object->motion.count; k++)
+        fprintf(file, "\n    {{%ld, %ld, %ld}},", (long)object->origins[k].at[0], (long)object->origins[k].at[1],
+                (long)object->origins[k].at[2]);
+    fprintf(file, "\n};\n");
+}
+
+static void write_moved(FILE *file, const struct moving *moving, const struct c_name *name, size_t i)
+{
+    const struct lim_instance *instance = &moving->instances[i];
+    fprintf(file,
+            "\n    {.object = &%s_object%zu_scene,\n     .motion = {.keys = %s_keys%zu, .count = %u, .repeats = true",
+            name->symbol, i + 1, name->symbol, i + 1, (unsigned)moving->objects[i].motion.count);
+    if (moving->objects[i].origins) fprintf(file, ", .origins = {%s_origins%zu}", name->symbol, i + 1);
+    fprintf(file, "},\n     .finer_bits = %u,\n     .by_centre = %s", (unsigned)instance->finer_bits,
+            instance->by_centre ? "true" : "false");
+    if (moving->objects[i].origins) fprintf(file, ",\n     .coarser_bits = {%u}", (unsigned)*instance->coarser_bits);
+    fputs("},", file);
+}
+
 static void write_movers(FILE *file, const struct named_scene *scene, const struct c_name *name,
                          const struct c_name *header)
 {
@@ -93,11 +117,11 @@ static void write_movers(FILE *file, const struct named_scene *scene, const stru
     fprintf(file, "#include \"%s.h\"\n", header->file);
     for (size_t i = 0; i < moving->count; i++)
         write_keys(file, &moving->objects[i], name, i);
+    for (size_t i = 0; i < moving->count; i++)
+        if (moving->objects[i].origins) write_origins(file, &moving->objects[i], name, i);
     fprintf(file, "\nstatic const struct lim_moved %s_moved[%zu] = {", name->symbol, moving->count);
     for (size_t i = 0; i < moving->count; i++)
-        fprintf(file, "\n    {&%s_object%zu_scene, {%s_keys%zu, %u, true}, %u, %s},", name->symbol, i + 1, name->symbol,
-                i + 1, (unsigned)moving->objects[i].motion.count, (unsigned)moving->instances[i].finer_bits,
-                moving->instances[i].by_centre ? "true" : "false");
+        write_moved(file, moving, name, i);
     fprintf(file, "\n};\n\nconst struct lim_moved *const %s_movers = %s_moved;\n", name->symbol, name->symbol);
 }
 

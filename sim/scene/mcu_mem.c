@@ -162,7 +162,7 @@ static size_t mover_b(const struct compiled *scene, const struct moving *moving)
            (scene->scene.texture_count ? (size_t)MCU_MOVER_TEXTURE_B : 0) +
            (needs_of(scene, moving).sky ? (size_t)MCU_MOVER_SKY_B : 0) +
            (scene->report.tele && !fine ? (size_t)MCU_MOVER_TELE_B : 0) +
-           (lim_scene_long(&scene->scene) ? (size_t)MCU_MOVER_LONG_B : 0);
+           (lim_scene_long(&scene->scene) ? (size_t)MCU_MOVER_LONG_B + MCU_INSTANCE_LONG_B : 0);
 }
 
 size_t mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving)

@@ -45,8 +45,10 @@ enum {
     MCU_MOVER_SKY_B = 4,       /* and more if one of these is a sky */
     MCU_MOVER_TELE_B = 8,      /* more of them for long lenses, in the profiles draft and fast */
     MCU_MOVER_LONG_B = 40,     /* more of them in a scene of many scales: where the eye is, in 32 bits */
+    MCU_INSTANCE_LONG_B = 68,  /* and a copy of its struct lim_instance */
     MCU_ROUTE_B = 6,
-    MCU_MOVED_B = 16, /* in flash */
+    MCU_MOVED_B = 16,     /* in flash */
+    MCU_MOVED_LONG_B = 4, /* and more of them in a scene of many scales */
     /* More of them in a wide scene (width.h): of an entry of the cache, a pending node, a mover, an entry of the sorted
      * list and what a depth sort knows of it; half as much of a face and of a pending node on a mover's way. */
     MCU_INDEX_B = 4,

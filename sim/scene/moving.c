@@ -23,11 +23,17 @@ void moving_pose(struct moving *moving, double time_s)
         lim_motion_at(&moving->objects[i].motion, (uint32_t)llround(time_s * 1000), &moving->instances[i]);
 }
 
+bool moving_clean_still(const struct moving *moving, const struct model *still, struct mesh *mesh, struct error *err)
+{
+    return moving->grid.is_long ? mesh_clean_on(still, &moving->grid, mesh, err) : mesh_clean(still, mesh, err);
+}
+
 void moving_free(struct moving *moving)
 {
     for (size_t i = 0; i < moving->count; i++) {
         compiled_free(&moving->objects[i].scene);
         free(moving->objects[i].keys);
+        free(moving->objects[i].origins);
         free(moving->objects[i].words);
     }
     free(moving->objects);

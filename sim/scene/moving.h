@@ -6,6 +6,7 @@
 #define SIM_MOVING_H
 
 #include "limner.h"
+#include "long.h"
 #include "scene/compiled.h"
 
 struct moving_object {
@@ -14,6 +15,7 @@ struct moving_object {
     lim_index *words;      /* scene.scene.polygons, if they name textures of the scene that it moves in; else NULL */
     struct lim_motion motion;
     struct lim_motion_key *keys;
+    struct lim_long_vertex *origins; /* of a scene of many scales: motion's; else NULL */
 };
 
 struct moving {
@@ -24,7 +26,11 @@ struct moving {
     size_t stopped;                 /* movers of the file that MOVING_OFF made a part of the scene */
     struct lim_light light;         /* on: objects have none baked in */
     struct lim_movers_limits limits;
+    struct grid grid; /* of what stands still */
 };
+
+/* What stands still, made fit for its tree (mesh_clean()): on the grid that it has, if coordinates have 32 bits. */
+bool moving_clean_still(const struct moving *moving, const struct model *still, struct mesh *mesh, struct error *err);
 
 /* The time of the last keys. */
 double moving_length_s(const struct moving *moving);

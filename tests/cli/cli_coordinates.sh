@@ -143,27 +143,49 @@ tap_check "--write-cameras puts each of the file where it says" cameras_are_wher
 
 # What cannot have 32 bits -----------------------------------------------------------------------------------------------
 
-not_32() { # WHAT ARGUMENT...
-    tap_check "$1: refused with 32 bits" refused ': --coordinates 32: not with what moves, or methods' compile "$@" \
-        --coordinates 32 -o "$work/out/scene"
-}
-not_32 sim/scenes/movers.gltf
 for options in '--method mesh' '--method mesh-depth' '--method newell' '--method depth' \
     '--mesh-leaves all' '--tree mesh' '--tree none' --drop-small; do
     # shellcheck disable=SC2086 # options are words
-    tap_check "$options: refused with 32 bits" refused ': --coordinates 32: not with what moves, or methods' \
+    tap_check "$options: refused with 32 bits" refused ': --coordinates 32: not with --drop-small, mesh leaves, or methods that do not walk a tree' \
         compile sim/scenes/rooms.obj $options --coordinates 32 -o "$work/out/scene"
 done
-tap_check "a solid by its own method: refused with 32 bits" refused ': --coordinates 32: not with what moves' \
+tap_check "a solid by its own method: refused with 32 bits" refused ': --coordinates 32: not with --drop-small, mesh leaves, or methods that do not walk a tree' \
     compile sim/scenes/icosahedron.obj --method convex --coordinates 32 -o "$work/out/scene"
+
+# What moves ---------------------------------------------------------------------------------------------------------------
 
 # The scene of movers, its first mesh 50,000 times as large: what stands still alone would have 32 bits.
 movers_on_a_large_ground() {
     sed 's/^\( *\)\(.*\){"mesh": 0}/\1\2{"mesh": 0, "scale": [50000, 1, 50000]}/' sim/scenes/movers.gltf >"$work/movers.gltf"
-    ! cmp -s sim/scenes/movers.gltf "$work/movers.gltf" &&
-        refused 'faces would vanish or move too far on a grid with units of' compile "$work/movers.gltf" -o "$work/out/movers"
+    ! cmp -s sim/scenes/movers.gltf "$work/movers.gltf" && "$limner" compile "$work/movers.gltf" -o "$work/out/movers" >"$work/said" &&
+        grep -q 'coordinates *32 bits' "$work/said" && grep -q '^#define LIM_HAS_LONG 1$' "$work/out/movers.h" &&
+        grep -q 'origins1' "$work/out/movers_movers.c"
 }
-tap_check "where something moves auto has 16 bits, and refuses what they do not hold" movers_on_a_large_ground
+tap_check "auto gives 32 bits to what moves on a large ground" movers_on_a_large_ground
+tap_check "and with 16 refuses what they do not hold" refused 'faces would vanish or move too far on a grid with units of' \
+    compile "$work/movers.gltf" --coordinates 16 -o "$work/out/movers"
+for tree in clusters axis; do
+    tap_check "--tree $tree: refused where something moves in 32 bits" \
+        refused ": --tree $tree: in a scene with coordinates of 32 bits nothing moves in a tree with leaves" \
+        compile sim/scenes/movers.gltf --tree $tree --coordinates 32 -o "$work/out/movers"
+done
+moving_pixels() { # BITS
+    "$limner" render sim/scenes/movers.gltf --coordinates "$1" --camera sim/scenes/movers.cam --size 80x60 --compare \
+        >"$work/said" 2>&1 && sed -n 's/.*wrong \([0-9.]*\) %.*holes \([0-9]*\).*/\1 \2/p' "$work/said" | tail -n 1
+}
+movers_are_as_right() {
+    long=$(moving_pixels 32) && short=$(moving_pixels 16) && echo "32: $long, 16: $short" &&
+        awk -v long="$long" -v short="$short" 'BEGIN { split(long, l); split(short, s); exit !(l[2] == 0 && l[1] <= 0.1 && l[1] <= 2 * s[1] + 0.02) }'
+}
+tap_check "what moves is as right with 32 bits, without holes" movers_are_as_right
+movers_as_c_compile() {
+    "$limner" compile sim/scenes/movers.gltf --coordinates 32 -o "$work/out/far" >"$work/said" || return 1
+    for file in "$work"/out/far*.c; do
+        # shellcheck disable=SC2086 # the flags are a list
+        ${CC:?is set by the Makefile} -std=c11 ${WARNINGS:?is set by the Makefile} -fsyntax-only -Ifirmware "-I$work/out" -DLIM_CONFIG='"far.h"' "$file" || return 1
+    done
+}
+tap_check "its C compiles without a warning" movers_as_c_compile
 
 # Methods ----------------------------------------------------------------------------------------------------------------
 

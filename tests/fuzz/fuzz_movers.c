@@ -65,8 +65,8 @@ static void make_keys(struct moving_part *part, struct fuzz_bytes *bytes)
     double before[4] = {0, 0, 0, 1};
     uint32_t time_ms = fuzz_u16(bytes);
 
-    part->moved.motion =
-        (struct lim_motion){part->keys, (uint16_t)(1 + fuzz_below(bytes, KEYS_MAX)), fuzz_below(bytes, 2)};
+    part->moved.motion = (struct lim_motion){.keys = part->keys, .count = (uint16_t)(1 + fuzz_below(bytes, KEYS_MAX))};
+    part->moved.motion.repeats = fuzz_below(bytes, 2);
     for (uint16_t k = 0; k < part->moved.motion.count; k++) {
         struct lim_motion_key *key = &part->keys[k];
         double q[4];

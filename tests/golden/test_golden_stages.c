@@ -192,7 +192,7 @@ static void places_of_motions(void **state)
         struct lim_motion_key keys[KEYS];
         const uint16_t count = (uint16_t)random_in(&random, 1, KEYS);
         const bool repeats = random_u64(&random) & 1;
-        const struct lim_motion motion = {keys, count, repeats};
+        const struct lim_motion motion = {.keys = keys, .count = count, .repeats = repeats};
         uint32_t time_ms = 0;
         for (int k = 0; k < KEYS; k++) {
             time_ms += (uint32_t)random_in(&random, 0, 5);

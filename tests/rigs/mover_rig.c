@@ -58,6 +58,7 @@ void mover_rig_compile(struct mover_rig *rig, enum moving_mode mode, enum lim_me
     const struct compile_options options = {.tolerance_units = 0.5,
                                             .tree = rig->tree,
                                             .mesh_leaves = rig->mesh_leaves,
+                                            .coordinates = rig->coordinates,
                                             .splitter = "fewest",
                                             .keep_faces = true,
                                             .core = core,

@@ -21,6 +21,7 @@ struct mover_rig {
     struct compare_counts counts; /* of all views so far */
     enum tree_kind tree;          /* of what stands still */
     enum mesh_leaves mesh_leaves;
+    enum coordinates coordinates;
     size_t still; /* faces that belong to something already */
 };
 

@@ -45,7 +45,9 @@ enum { PAIRS_SAVE_B = LIM_DUAL_MULTIPLY ? 4 * 4 : 0 };
 _Static_assert(IS_FINE ? MOVER_B >= sizeof(struct lim_mover) : MOVER_B == sizeof(struct lim_mover) + PAIRS_SAVE_B,
                "mover");
 _Static_assert(MCU_ROUTE_B + INDEX_B / 2 == sizeof(struct lim_route_pending), "pending node on a mover's way");
-_Static_assert(MCU_MOVED_B == sizeof(struct lim_moved), "object and its motion");
+_Static_assert(MCU_MOVED_B + (LIM_HAS_LONG ? MCU_MOVED_LONG_B : 0) == sizeof(struct lim_moved),
+               "object and its motion");
+_Static_assert(!LIM_HAS_LONG || MCU_INSTANCE_LONG_B == sizeof(struct lim_instance), "copy of an instance");
 
 #if LIM_HAS_MESHES
 _Static_assert(MCU_MESH_ACTIVE_B(HAS_LONG_EDGES, LIM_HAS_WIDE, LIM_HAS_MESH_DEPTH, LIM_HAS_TEXTURE) ==

@@ -85,7 +85,7 @@ static void between_keys_it_is_where_the_reference_is(void **state)
         struct model_mover mover = {.key_count = KEYS};
         const struct model model = {.keys = exact, .movers = &mover};
         random_motion(&random, keys, exact);
-        const struct lim_motion motion = {keys, KEYS, true};
+        const struct lim_motion motion = {.keys = keys, .count = KEYS, .repeats = true};
         for (int i = 0; i < 50; i++) {
             struct lim_instance instance = {0};
             const uint32_t time_ms = (uint32_t)random_in(&random, 0, 2 * keys[KEYS - 1].time_ms);
@@ -100,7 +100,7 @@ static void between_keys_it_is_where_the_reference_is(void **state)
 static void what_does_not_repeat_stays_at_its_last_key(void **state)
 {
     struct lim_motion_key keys[2] = {{1000, {0, 0, 0}, {0, 0, 0, 32767}, 0}, {2000, {512, -7, 0}, {0, 0, 0, 32767}, 0}};
-    const struct lim_motion motion = {keys, 2, false};
+    const struct lim_motion motion = {.keys = keys, .count = 2};
     struct lim_instance instance = {0};
     (void)state;
 
@@ -116,7 +116,7 @@ static void what_does_not_repeat_stays_at_its_last_key(void **state)
 static void one_key_is_a_place(void **state)
 {
     struct lim_motion_key key = {0, {1, 2, 3}, {0, 32767, 0, 0}, 0};
-    const struct lim_motion motion = {&key, 1, true};
+    const struct lim_motion motion = {.keys = &key, .count = 1, .repeats = true};
     struct lim_instance instance = {0};
     (void)state;
 
@@ -145,7 +145,7 @@ static void half_turns_and_what_is_near_them_are_right(void **state)
             length = hypot(length, key.turn_q15[i]);
         for (int i = 0; i < 4; i++)
             pose.turn[i] = key.turn_q15[i] / length;
-        lim_motion_at(&(struct lim_motion){&key, 1, false}, 0, &instance);
+        lim_motion_at(&(struct lim_motion){.keys = &key, .count = 1}, 0, &instance);
         assert_pose(&instance, &pose);
         assert_rotation(&instance);
     }
@@ -157,7 +157,7 @@ static void no_orientation_turns_nothing(void **state)
     struct lim_instance instance = {0};
     (void)state;
 
-    lim_motion_at(&(struct lim_motion){keys, 2, true}, 500, &instance);
+    lim_motion_at(&(struct lim_motion){.keys = keys, .count = 2, .repeats = true}, 500, &instance);
     for (int i = 0; i < 9; i++)
         assert_int_equal(instance.axes_q30[i], i % 4 ? 0 : 1 << 30);
     assert_int_equal(instance.at_q8[0], 128);
@@ -198,7 +198,7 @@ static void keys_beyond_their_bounds_overflow_nothing(void **state)
         for (int i = 0; i < 3; i++)
             keys[i] = any_key(&random);
         struct lim_instance instance = {0};
-        const struct lim_motion motion = {keys, count, round % 2};
+        const struct lim_motion motion = {.keys = keys, .count = count, .repeats = round % 2};
         lim_motion_at(&motion, (uint32_t)one_of(&random, TIMES, 4, 0, UINT32_MAX), &instance);
         for (int i = 0; i < 9; i++)
             assert_in_range(instance.axes_q30[i] + (INT64_C(1) << 30), 0, INT64_C(1) << 31);
@@ -255,8 +255,12 @@ static void all_of_a_scene_move_at_once(void **state)
 {
     struct lim_motion_key keys[2] = {{0, {0, 0, 0}, {0, 0, 0, 32767}, 0}, {1000, {256, 0, 0}, {0, 0, 0, 32767}, 0}};
     static const struct lim_scene objects[2] = {{0}};
-    const struct lim_moved moved[2] = {{&objects[0], {keys, 2, true}, 1, true},
-                                       {&objects[1], {keys + 1, 1, true}, 2, false}};
+    const struct lim_moved moved[2] = {
+        {.object = &objects[0],
+         .motion = {.keys = keys, .count = 2, .repeats = true},
+         .finer_bits = 1,
+         .by_centre = true},
+        {.object = &objects[1], .motion = {.keys = keys + 1, .count = 1, .repeats = true}, .finer_bits = 2}};
     struct lim_instance instances[2] = {{0}, {.by_centre = true}};
     (void)state;
 

@@ -86,10 +86,11 @@ static void look(const struct mover_rig *rig, const double eye_m[3], const doubl
 static const enum lim_method METHODS[] = {LIM_NEAREST_FIRST, LIM_SCANLINE, LIM_PAINTER};
 enum { METHOD_COUNT = sizeof METHODS / sizeof *METHODS };
 
+/* Coordinates of *rig are as they are to be; all else of it begins. */
 static void compile(struct mover_rig *rig, bool doorway, const struct model_pose *pose, enum look look,
                     enum lim_method method, const struct core *core)
 {
-    memset(rig, 0, sizeof *rig);
+    *rig = (struct mover_rig){.coordinates = rig->coordinates};
     rig->tree = TREE_BSP;
     mover_rig_add_rooms(rig, doorway);
     mover_rig_add_box(rig, BOX_M, BOX_M, BOX_M, pose);
@@ -116,7 +117,7 @@ static size_t assert_as_alone(enum look shown, enum lim_method method, const str
     const struct model_pose pose = {{0.25, 1.25, 2}, {0, 0, 0, 1}};
     const struct simulator_setup setup = {MOVER_RIG_W_PX, MOVER_RIG_H_PX, method, SIMULATOR_MEMORY, core};
     const struct simulator_setup plain = {MOVER_RIG_W_PX, MOVER_RIG_H_PX, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, core};
-    struct mover_rig rig;
+    struct mover_rig rig = {.coordinates = COORDINATES_16};
     struct lim_camera camera, own;
     size_t seen = 0, holes = 0;
     compile(&rig, true, &pose, shown, method, core);
@@ -201,16 +202,17 @@ static size_t assert_texels(const struct mover_rig *rig, const struct model_pose
     return seen;
 }
 
-static size_t assert_turned(enum lim_method method, const struct core *core)
+static size_t assert_turned(enum lim_method method, const struct core *core, enum coordinates coordinates)
 {
     static uint16_t pixels[PIXELS];
     static const double eyes_m[][3] = {{-1.5, 2, 3.4}, {0.3, 1.4, 3.2}, {1.9, 0.6, 2.6}};
     const struct model_pose pose = mover_rig_pose(0.1, 1.1, 0.35, (double[]){0.4, 1, -0.3}, 0.8); /* in the doorway */
     const struct simulator_setup setup = {MOVER_RIG_W_PX, MOVER_RIG_H_PX, method, SIMULATOR_MEMORY, core};
-    struct mover_rig rig;
+    struct mover_rig rig = {.coordinates = coordinates};
     struct lim_camera camera;
     size_t seen = 0;
     compile(&rig, true, &pose, OPAQUE, method, core);
+    assert_int_equal(rig.scene.grid.is_long, coordinates == COORDINATES_32);
     for (size_t i = 0; i < sizeof eyes_m / sizeof *eyes_m; i++) {
         look(&rig, eyes_m[i], pose.at_m, &camera);
         draw(&rig.scene.scene, &rig.moving, &setup, &camera, pixels);
@@ -226,7 +228,8 @@ static void what_is_turned_and_cut_shows_the_texels_that_rays_meet(void **state)
     (void)state;
     for (size_t i = 0; cores[i]; i++)
         for (size_t k = 0; k < METHOD_COUNT; k++)
-            assert_true(assert_turned(METHODS[k], cores[i]) > 2000);
+            for (enum coordinates bits = COORDINATES_16; bits <= COORDINATES_32; bits++)
+                assert_true(assert_turned(METHODS[k], cores[i], bits) > 2000);
 }
 
 /* -------------------------------------------------------------------------------------------- */
@@ -238,7 +241,7 @@ static void textures_of_others_are_not_shown(void **state)
     static uint16_t pixels[PIXELS], flat[PIXELS];
     const struct model_pose pose = {{0.25, 1.25, 2}, {0, 0, 0, 1}};
     const struct simulator_setup setup = {MOVER_RIG_W_PX, MOVER_RIG_H_PX, LIM_NEAREST_FIRST, SIMULATOR_MEMORY, NULL};
-    struct mover_rig rig;
+    struct mover_rig rig = {.coordinates = COORDINATES_16};
     struct lim_camera camera;
     compile(&rig, false, &pose, OPAQUE, LIM_NEAREST_FIRST, NULL);
     look(&rig, (double[]){-1.5, 2, 3.4}, pose.at_m, &camera);
