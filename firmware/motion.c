@@ -149,9 +149,7 @@ void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim
     const bool moves = k < last && time_ms > keys[k].time_ms;
     const uint32_t t_q31 = moves ? ratio_q31(time_ms - keys[k].time_ms, keys[k + 1].time_ms - keys[k].time_ms) : 0;
     interpolate(&keys[k], &keys[k < last ? k + 1 : k], t_q31, instance);
-#if LIM_HAS_LONG /* provers see no call without it */
-    lim_motion_go_far(motion, k, k < last ? (uint16_t)(k + 1) : k, t_q31, instance);
-#endif
+    if (LIM_HAS_LONG) lim_motion_go_far(motion, k, k < last ? (uint16_t)(k + 1) : k, t_q31, instance);
 }
 
 void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_ms, struct lim_instance *instances)
