@@ -491,7 +491,7 @@ void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_m
 /*@ requires \valid_read(motion) && motion->count >= 1 && \valid_read(motion->keys + (0 .. motion->count - 1));
     requires \valid(instance) && \separated(instance, motion);
     requires \separated(instance, motion->keys + (0 .. motion->count - 1));
-    assigns instance->at_q8[0 .. 2], instance->axes_q30[0 .. 8];
+    assigns instance->at_q8[0 .. 2], instance->axes_q30[0 .. 8], instance->origin[0 .. 2];
     ensures \forall integer i; 0 <= i < 9 ==> -1073741824 <= instance->axes_q30[i] <= 1073741824; */
 void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim_instance *instance);
 

@@ -59,7 +59,6 @@ static void set_through(struct lim_plane_unpacked *plane, const int64_t n[3], co
     plane->d = plane->slack = 0;
     plane->narrow = false;
     plane->axis = LIM_NO_AXIS;
-    if (LIM_HAS_LONG) *plane->along = LIM_NO_AXIS;
     //@ loop pragma UNROLL "completely", 4;
     for (uint_fast8_t i = 0; i < 3; i++) {
         const int32_t part = (int32_t)n[i];
@@ -85,6 +84,7 @@ bool lim_deform_plane(struct lim_plane_unpacked *plane, const struct lim_scene *
     n[3] = 0;
     shorten_s64(n, NORMAL_END);
     set_through(plane, n, at[0]);
+    if (LIM_HAS_LONG) *plane->along = LIM_NO_AXIS;
     return plane->slack != 0;
 }
 
