@@ -131,6 +131,7 @@ static void connect(struct lim *lim)
         lim->sorter->comparing = false;
     }
     if (LIM_HAS_MOVERS) lim->movers->most = lim->movers->given = lim->movers->count = 0;
+    if (LIM_HAS_MOVERS && LIM_HAS_LONG) *lim->movers->far = NULL;
     if (LIM_HAS_PAINTED) connect_painter(lim);
     if (LIM_HAS_SPANS) connect_nearest(lim);
     if (LIM_HAS_CONVEX) lim->convex->pass = pass;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Scenes of many scales are the same on every processor: coordinates of 32 bits, opaque and with glass; and, in a profile
-# each, by other methods, with antialiased edges, as wireframe, and as changes alone.
+# each, by other methods, with antialiased edges, as wireframe, and as changes alone; and what moves in them.
 . tests/tap.sh
 . tests/frames_on.sh
 . tests/long_scene.sh
@@ -25,4 +25,7 @@ otherwise '--method scanline' exact rv32
 otherwise --antialias fine m33
 otherwise --wireframe draft m3
 otherwise --delta fast m0plus
+
+frames_every=6 frames_options= frames_path='--fps 3' frames_suffix=gltf frames_flags=-DSCENE_FRAMES_PER_S=3
+frames_in_turn 1 sim/scenes/movers 80x60 m0plus powerpc rv32 m3
 tap_done
