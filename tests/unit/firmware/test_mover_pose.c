@@ -775,7 +775,7 @@ static void memory_is_taken_to_its_end(void **state)
         const struct lim_movers_limits limits = limits_of(entries);
         stage_open(&stage, at);
         const size_t mem_b = lim_movers_mem_b(&stage.scene.scene, &limits);
-        uint8_t *mem = malloc(mem_b);
+        uint8_t *mem = calloc(1, mem_b);
         assert_non_null(mem);
         assert_int_equal(lim_movers_init(&stage.lim, mem, mem_b - 1, &limits), LIM_ERR_MEMORY);
         assert_int_equal(lim_movers_init(&stage.lim, mem, mem_b, &limits), LIM_OK);
@@ -789,7 +789,8 @@ static void memory_is_taken_to_its_end(void **state)
         memset(sorter->newell->cuts, 5, entries * sizeof *sorter->newell->cuts);
         memset(stage.lim.movers->stack, 6, sizeof *stage.lim.movers->stack);
         memset(stage.lim.movers->object_stack, 7, sizeof *stage.lim.movers->object_stack);
-        size_t counts[8] = {0};
+        memset(*stage.lim.movers->copies, 8, MOVERS * sizeof **stage.lim.movers->copies);
+        size_t counts[9] = {0};
         for (size_t k = 0; k < (size_t)((uint8_t *)(stage.lim.movers->object_stack + 1) - mem); k++)
             counts[mem[k]]++;
         assert_true((uint8_t *)(stage.lim.movers->object_stack + 1) <= mem + mem_b);
@@ -800,6 +801,7 @@ static void memory_is_taken_to_its_end(void **state)
         assert_int_equal(counts[5], entries * sizeof *sorter->newell->cuts);
         assert_int_equal(counts[6], sizeof *stage.lim.movers->stack);
         assert_int_equal(counts[7], sizeof *stage.lim.movers->object_stack);
+        assert_int_equal(counts[8], MOVERS * sizeof **stage.lim.movers->copies);
         free(mem);
         stage_close(&stage);
     }
