@@ -461,7 +461,7 @@ test-programs: $(test_programs) ## [test] build the unit tests without running t
 
 # -- Proofs, exhaustion, fuzzing: see tests/prove.sh, tests/exhaustive/exhaustive.h, tests/fuzz/fuzz.h -----------------
 
-FUZZ_TARGETS := camera camera_file lim_file render features mesh movers obj gltf ply stl off picture wire_log qemu vcd text written report wad
+FUZZ_TARGETS := camera camera_file lim_file render long features mesh movers long_movers touch obj gltf ply stl off picture wire_log qemu vcd text written report wad
 FUZZ_FLAGS   := -max_total_time=60
 FUZZ_S       := 0
 export FUZZ_FLAGS FUZZ_S

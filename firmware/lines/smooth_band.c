@@ -6,6 +6,7 @@
 #include "lines/layers.h"
 #include "lines/overlaid.h"
 #include "lines/paint.h"
+#include "lines/share.h"
 #include "lines/smooth.h"
 #include "lines/smooth_run.h"
 #include "lines/span.h"
@@ -154,11 +155,19 @@ static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const s
     return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
 }
 
+/* Whether the cells end before the gaps that a line takes. Pass one may have filled all, if it divided no gap. */
+static bool leaves_gaps(const struct lim_spans *spans)
+{
+    return lim_share_gap_behind(spans, spans->retained->used * lim_share_cell_b(spans)) <= spans->lowest;
+}
+
 int lim_smooth_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                     const struct lim_rect *band, uint16_t *y)
 {
     lim_actives_start(&paint->actives, spans);
-    for (*y = band->y0; *y < band->y1;) {
+    *y = band->y0;
+    if (!leaves_gaps(spans)) return LIM_PAINT_ACTIVE;
+    while (*y < band->y1) {
         int err = 0;
         if (!smooth_activate(paint, spans, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
         const uint16_t lines = lim_smooth_run(paint, spans, retained, band, *y, &err);

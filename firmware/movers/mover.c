@@ -281,7 +281,8 @@ static uint32_t root_above(uint32_t x)
 }
 
 /* Of the ball around a point that holds all vertices, none of which is farther along an axis than `most`. What is
- * rounded down is short by less than one along each axis, so by less than two in all. */
+ * rounded down is short by less than one along each axis, so by less than two in all. Vertices of no polygon may be
+ * farther away: their squares are anything, and the ball is too large at worst. */
 static uint32_t reach_of_vertices(const struct lim_scene *object, const int32_t centre[3], uint32_t most)
 {
     const uint8_t zeros = clz_u32(most | 1),
@@ -290,8 +291,8 @@ static uint32_t reach_of_vertices(const struct lim_scene *object, const int32_t 
 
     for (lim_index k = 0; k < object->vertex_count; k++) {
         const struct lim_vertex at = object->vertices[k];
-        const int32_t x = (at.x - centre[0]) >> shift, y = (at.y - centre[1]) >> shift, z = (at.z - centre[2]) >> shift;
-        const uint32_t sum = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
+        const uint32_t x = (uint32_t)((at.x - centre[0]) >> shift), y = (uint32_t)((at.y - centre[1]) >> shift);
+        const uint32_t z = (uint32_t)((at.z - centre[2]) >> shift), x2 = x * x, sum = y * y + x2 + z * z;
         if (sum > square) square = sum;
     }
     return ((root_above(square) + (shift ? 2 : 0)) << shift) + (LIM_HAS_FRACTIONS ? 2 : 0);

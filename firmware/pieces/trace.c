@@ -401,7 +401,7 @@ static void bound_lines(const struct lim_screen_polygon *whole, const struct tra
 {
     const struct lim_point *before = &whole->at[whole->n - 1];
     int64_t value_before = left_at(before, trace, front);
-    int32_t low = INT32_MAX, high = INT32_MIN;
+    int32_t low = LIM_SUB_BITS ? INT32_MAX : INT32_MAX / 2, high = INT32_MIN; /* of none; with LIM_ORIGIN_PX in range */
 
     for (uint_fast8_t k = 0; k < whole->n; k++) {
         const struct lim_point *here = &whole->at[k];

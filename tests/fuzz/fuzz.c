@@ -14,10 +14,10 @@
 #include <unistd.h>
 
 const struct fuzz_target *const fuzz_targets[] = {
-    &fuzz_camera,  &fuzz_camera_file, &fuzz_lim_file, &fuzz_render, &fuzz_features, &fuzz_mesh,
-    &fuzz_movers,  &fuzz_obj,         &fuzz_gltf,     &fuzz_ply,    &fuzz_stl,      &fuzz_off,
-    &fuzz_picture, &fuzz_wire_log,    &fuzz_qemu,     &fuzz_vcd,    &fuzz_text,     &fuzz_written,
-    &fuzz_report,  &fuzz_wad,         &fuzz_long,     NULL};
+    &fuzz_camera,  &fuzz_camera_file, &fuzz_lim_file, &fuzz_render,      &fuzz_features, &fuzz_mesh,
+    &fuzz_movers,  &fuzz_obj,         &fuzz_gltf,     &fuzz_ply,         &fuzz_stl,      &fuzz_off,
+    &fuzz_picture, &fuzz_wire_log,    &fuzz_qemu,     &fuzz_vcd,         &fuzz_text,     &fuzz_written,
+    &fuzz_report,  &fuzz_wad,         &fuzz_long,     &fuzz_long_movers, &fuzz_touch,    NULL};
 
 /* What sanitizers ask for. Libraries that read damaged files lose some of their memory; in the program that is a child
  * process's. */

@@ -20,7 +20,7 @@ struct fuzz_target {
 
 extern const struct fuzz_target fuzz_camera, fuzz_camera_file, fuzz_lim_file, fuzz_render, fuzz_features, fuzz_mesh,
     fuzz_movers, fuzz_obj, fuzz_gltf, fuzz_ply, fuzz_stl, fuzz_off, fuzz_picture, fuzz_wire_log, fuzz_qemu, fuzz_text,
-    fuzz_written, fuzz_report, fuzz_vcd, fuzz_wad, fuzz_long;
+    fuzz_written, fuzz_report, fuzz_vcd, fuzz_wad, fuzz_long, fuzz_long_movers, fuzz_touch;
 
 /* All of them; NULL behind the last. */
 extern const struct fuzz_target *const fuzz_targets[];

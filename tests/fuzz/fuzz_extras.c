@@ -6,7 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ALPHA_MAX = 254, SUM_MAX = 32767, EDGES_ONE_WORD = 16 };
+enum {
+    ALPHA_MAX = 254,
+    SUM_MAX = 32767,
+    EDGES_ONE_WORD = 16,
+    PLACE_BITS_MAX = 15,
+    EVEN_MOST = 127,
+    SKY_TIMES_MAX = 16
+};
 
 /* Textures ----------------------------------------------------------------------------------- */
 
@@ -45,10 +52,30 @@ static void make_vector(struct fuzz_bytes *bytes, int16_t v[2])
             v[i] /= 2;
 }
 
+static void make_long_vector(struct fuzz_bytes *bytes, int32_t v[2])
+{
+    for (int i = 0; i < 2; i++)
+        v[i] = (int32_t)fuzz_u32(bytes) >> fuzz_below(bytes, 32);
+    while (llabs(v[0]) + llabs(v[1]) > LIM_LONG_UV_MAX)
+        for (int i = 0; i < 2; i++)
+            v[i] /= 2;
+}
+
+/* What a mapping has beside, in a long scene. */
+static void make_long_mapping(struct fuzz_bytes *bytes, struct lim_long_mapping *mapping)
+{
+    for (int i = 0; i < 2; i++)
+        make_long_vector(bytes, mapping->uv[i]);
+    mapping->bits =
+        (uint8_t)(LIM_LONG_UV_BITS_MIN + fuzz_below(bytes, LIM_LONG_UV_BITS_MAX - LIM_LONG_UV_BITS_MIN + 1));
+    mapping->level_q4 = (int16_t)((int16_t)fuzz_u16(bytes) % (LIM_LONG_LEVEL_MAX_Q4 + 1));
+}
+
 /* Through a vertex, or in a plane of the tree, whether that has the polygon in it or not. */
 static void make_mapping(struct fuzz_scene *made, struct fuzz_bytes *bytes, struct lim_mapping *mapping)
 {
-    const struct lim_vertex *through = &made->vertices[fuzz_below(bytes, made->scene.vertex_count)];
+    const lim_index vertex = fuzz_below(bytes, made->scene.vertex_count);
+    const struct lim_vertex *through = &made->vertices[vertex];
     const int16_t at[3] = {through->x, through->y, through->z};
     const uint8_t wanted = fuzz_u8(bytes), axis = (uint8_t)((wanted >> 5) % 3);
     const bool upright = !made->scene.plane_count || wanted & 1;
@@ -62,6 +89,9 @@ static void make_mapping(struct fuzz_scene *made, struct fuzz_bytes *bytes, stru
         make_vector(bytes, mapping->uv[i]);
         mapping->at_zero_q16[i] = fuzz_u16(bytes);
     }
+    if (!lim_scene_long(&made->scene)) return;
+    mapping->plane = upright ? vertex : (lim_index)(wanted % made->scene.plane_count);
+    make_long_mapping(bytes, &made->long_mappings[mapping - made->mappings]);
 }
 
 /* Records ------------------------------------------------------------------------------------ */
@@ -157,6 +187,7 @@ void fuzz_scene_add_extras(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     const uint8_t wanted = fuzz_u8(bytes);
 
     scene->mappings = made->mappings;
+    made->all.mappings = made->long_mappings;
     scene->textures = made->textures;
     scene->palettes = made->palette;
     scene->texels = made->texels;
@@ -174,4 +205,91 @@ void fuzz_scene_add_extras(struct fuzz_scene *made, struct fuzz_bytes *bytes)
     if (wanted & 2) add_to_records(made, bytes);
     if (scene->limits.layers) scene->limits.layers = (uint16_t)(1 + layers);
     if (wanted & 4) make_pvs(made, bytes);
+}
+
+/* Textures of meshes ------------------------------------------------------------------------- */
+
+void fuzz_scene_add_places(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    struct lim_scene *scene = &made->scene;
+
+    scene->textures = made->textures; /* the first one's address is taken, and not read, where there is none */
+    if (!fuzz_below(bytes, 2)) return;
+    scene->palettes = made->palette;
+    scene->texels = made->texels;
+    *scene->uvs = made->uvs;
+    scene->texture_count = (uint16_t)(1 + fuzz_below(bytes, FUZZ_TEXTURES_MAX));
+    make_textures(made, bytes);
+    for (uint16_t i = 0; i < scene->texture_count; i++)
+        made->textures[i].place_bits = fuzz_below(bytes, PLACE_BITS_MAX + 1);
+    for (lim_index i = 0; i < scene->vertex_count; i++) {
+        const uint8_t smaller = fuzz_below(bytes, 16);
+        made->uvs[i].u = (int16_t)((int16_t)fuzz_u16(bytes) / 2 >> smaller);
+        made->uvs[i].v = (int16_t)((int16_t)fuzz_u16(bytes) / 2 >> smaller);
+    }
+    for (lim_index i = 0; i < scene->polygon_count; i++)
+        made->polygons[(i + 1) * LIM_TRIANGLE_WORDS - 1] =
+            (lim_index)(fuzz_below(bytes, scene->texture_count) | fuzz_below(bytes, EVEN_MOST + 1)
+                                                                      << LIM_TRIANGLE_TEXTURE_BITS);
+}
+
+/* Masked textures and skies ------------------------------------------------------------------ */
+
+/* A record with a masked texture has an alpha. */
+static lim_index *mask_record(struct fuzz_scene *made, const lim_index *from, lim_index *to)
+{
+    const uint16_t words = lim_record_words(from[0]), alpha_at = lim_record_edges_at(from[0]);
+    const bool is_textured = from[0] & LIM_POLYGON_TEXTURE;
+
+    memcpy(to, from, words * sizeof *to);
+    if (!is_textured || !lim_texture_is_masked(&made->textures[from[words - LIM_POLYGON_TEXTURE_WORDS]]))
+        return to + words;
+    to[0] |= LIM_POLYGON_ALPHA;
+    to[alpha_at] = ALPHA_MAX;
+    memcpy(to + alpha_at + 1, from + alpha_at, (size_t)(words - alpha_at) * sizeof *to);
+    if (!made->scene.limits.layers) made->scene.limits.layers = 1;
+    return to + words + 1;
+}
+
+static lim_index mask_run(struct fuzz_scene *made, const lim_index *from)
+{
+    const lim_index run = made->scene.polygon_words;
+    lim_index *to = &made->polygons[run];
+
+    for (bool last = false; !last; from += lim_record_words(*from)) {
+        last = *from & LIM_POLYGON_LAST;
+        to = mask_record(made, from, to);
+    }
+    made->scene.polygon_words = (lim_index)(to - made->polygons);
+    return run;
+}
+
+void fuzz_scene_mask(struct fuzz_scene *made)
+{
+    lim_index polygons[FUZZ_WORDS_MAX];
+
+    memcpy(polygons, made->polygons, sizeof polygons);
+    made->scene.polygon_words = 0;
+    for (lim_index i = 0; i < made->scene.node_count; i++) {
+        struct lim_node *node = &made->nodes[i];
+        if (node->front_run != LIM_NO_INDEX) node->front_run = mask_run(made, polygons + node->front_run);
+        if (node->back_run != LIM_NO_INDEX) node->back_run = mask_run(made, polygons + node->back_run);
+    }
+}
+
+void fuzz_scene_add_kinds(struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    static const uint8_t kinds[] = {0, LIM_TEXTURE_MASKED, LIM_TEXTURE_SKY, 0};
+    const uint8_t wanted = fuzz_u8(bytes);
+
+    if (!wanted) return;
+    for (uint16_t i = 0; i < made->scene.texture_count; i++)
+        made->textures[i].place_bits = kinds[wanted >> 2 * i & 3];
+    for (uint16_t i = 0; i < made->scene.mapping_count && wanted & 0x80; i++) {
+        made->mappings[i].uv[0][0] = (int16_t)(1 + fuzz_below(bytes, SKY_TIMES_MAX));
+        made->mappings[i].uv[0][1] = 0;
+    }
+    for (uint16_t i = 0; i < made->scene.texture_count && !(wanted & 0x80); i++)
+        if (made->textures[i].place_bits == LIM_TEXTURE_SKY) made->textures[i].place_bits = 0;
+    fuzz_scene_mask(made);
 }

@@ -24,6 +24,7 @@ static const char *run(const uint8_t *input, size_t size_b)
     else
         fuzz_scene_make(&made, &bytes);
     fuzz_scene_add_extras(&made, &bytes);
+    fuzz_scene_add_kinds(&made, &bytes);
     subject.scene = &made.scene;
     if (!lim_check(subject.scene, &err)) return "a valid scene was refused";
     return fuzz_show_both(&subject, &look, means);

@@ -31,6 +31,7 @@ static const char *run(const uint8_t *input, size_t size_b)
     means[0].page_px = means[1].page_px = 0;
     fuzz_view_from(&bytes, &subject);
     fuzz_scene_make_mesh(&made, &bytes);
+    fuzz_scene_add_places(&made, &bytes);
     subject.scene = &made.scene;
     if (!lim_check(subject.scene, &err)) return "a valid mesh was refused";
     return fuzz_show_both(&subject, &look, means);

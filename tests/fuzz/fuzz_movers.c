@@ -2,7 +2,11 @@
  *
  * Two forged objects in a forged scene, in up to four places: turned by angles or by keys between which a time lies,
  * finer, bending, entering by their centres, lit; with little room for pieces or much. Two frames by two sets of means,
- * which have the same memory, for how much of it there is decides what goes by its centre. */
+ * which have the same memory, for how much of it there is decides what goes by its centre.
+ *
+ * The world of fuzz_long_movers has many scales: the eye, the keys and the places are near its vertices or anywhere,
+ * and units of objects are 2^-8 to 2^14 of its own, or what is none. Both means have the same pages there: where
+ * entries run out, pages decide what goes by its centre, too. */
 #include "fuzz_scene.h"
 #include "fuzz_show.h"
 #include "fuzz_view.h"
@@ -13,10 +17,12 @@
 #include <string.h>
 
 enum { OBJECTS = 2, INSTANCES_MAX = 4, KEYS_MAX = 4, ENTRIES_MAX = 256, AT_END_Q8 = 1 << 24 };
+enum { FAR_FINER_BITS = 8, FAR_COARSER_BITS = 14, TEXTURED_H_MIN_PX = 4 };
 
 struct moving_part {
     struct fuzz_scene object;
     struct lim_motion_key keys[KEYS_MAX];
+    struct lim_long_vertex origins[KEYS_MAX];
     struct lim_moved moved;
 };
 
@@ -92,6 +98,47 @@ static void make_part(struct moving_part *part, struct fuzz_bytes *bytes)
     make_keys(part, bytes);
 }
 
+/* Near a vertex of the world, or anywhere; a few are beyond what is legal. */
+static void make_origin(int32_t origin[3], const struct fuzz_scene *world, struct fuzz_bytes *bytes)
+{
+    const uint8_t kind = fuzz_below(bytes, 8);
+    const lim_index vertex = fuzz_below(bytes, world->scene.vertex_count);
+
+    for (int i = 0; i < 3; i++) {
+        const int32_t away = (int32_t)fuzz_u32(bytes) >> fuzz_below(bytes, 32);
+        const int64_t at = kind ? (int64_t)world->long_vertices[vertex].at[i] + away : away;
+        origin[i] = (int32_t)(at < INT32_MIN ? INT32_MIN : at > INT32_MAX ? INT32_MAX : at);
+    }
+}
+
+/* Most are legal. */
+static void make_scale(uint8_t *finer_bits, uint8_t *coarser_bits, struct fuzz_bytes *bytes)
+{
+    const uint8_t kind = fuzz_below(bytes, 16);
+
+    *finer_bits = kind < 8 ? fuzz_below(bytes, FAR_FINER_BITS + 1) : kind == 8 ? fuzz_u8(bytes) : 0;
+    *coarser_bits = kind > 8 && kind < 15 ? fuzz_below(bytes, FAR_COARSER_BITS + 1) : kind == 15 ? fuzz_u8(bytes) : 0;
+    if (kind == 7) *coarser_bits = fuzz_below(bytes, FAR_COARSER_BITS + 1);
+}
+
+/* What a part has beside, where it moves in a long world. */
+static void make_far_part(struct moving_part *part, const struct fuzz_scene *world, struct fuzz_bytes *bytes)
+{
+    make_scale(&part->moved.finer_bits, part->moved.coarser_bits, bytes);
+    if (!fuzz_below(bytes, 4)) return;
+    *part->moved.motion.origins = part->origins;
+    for (int k = 0; k < KEYS_MAX; k++)
+        make_origin(part->origins[k].at, world, bytes);
+}
+
+static void make_far_instance(struct lim_instance *instance, const struct fuzz_scene *world, struct fuzz_bytes *bytes)
+{
+    const uint8_t flags = fuzz_u8(bytes);
+
+    if (flags & 1) make_scale(&instance->finer_bits, instance->coarser_bits, bytes);
+    if (flags & 2) make_origin(instance->origin, world, bytes);
+}
+
 /* One instance in both frames. */
 static void make_instance(struct movers *movers, uint16_t index, struct fuzz_bytes *bytes)
 {
@@ -109,6 +156,7 @@ static void make_instance(struct movers *movers, uint16_t index, struct fuzz_byt
                 instance->at_q8[i] = position_q8(bytes);
             lim_instance_turn(instance, fuzz_u32(bytes), fuzz_u32(bytes), fuzz_u32(bytes));
         }
+        if (lim_scene_long(&movers->world.scene)) make_far_instance(instance, &movers->world, bytes);
         if (flags & 32) time_ms += fuzz_u16(bytes);
         if ((flags & 0xC0) == 0xC0) instance->object = NULL;
     }
@@ -137,6 +185,25 @@ static void make_limits(const struct movers *movers, struct fuzz_bytes *bytes, s
             limits->depth = movers->parts[i].object.scene.limits.depth;
 }
 
+/* Then it is drawn with them. */
+static void share_textures(struct fuzz_scene *object, const struct lim_scene *world, struct fuzz_bytes *bytes)
+{
+    if (!fuzz_below(bytes, 2) || !object->scene.texture_count || object->scene.texture_count > world->texture_count)
+        return;
+    object->scene.textures = world->textures;
+    object->scene.palettes = world->palettes;
+    object->scene.texels = world->texels;
+    object->scene.texture_count = world->texture_count;
+    object->scene.texel_blocks = world->texel_blocks;
+    for (uint16_t i = 0; i < object->scene.texture_count; i++)
+        object->textures[i] = world->textures[i];
+    for (uint16_t i = 0; i < object->scene.mapping_count; i++) {
+        object->mappings[i].uv[0][0] = 1;
+        object->mappings[i].uv[0][1] = 0;
+    }
+    fuzz_scene_mask(object);
+}
+
 static void make(struct movers *movers, struct fuzz_bytes *bytes, struct fuzz_subject *subject)
 {
     struct lim_scene *world = &movers->world.scene;
@@ -148,12 +215,33 @@ static void make(struct movers *movers, struct fuzz_bytes *bytes, struct fuzz_su
         make_instance(movers, i, bytes);
     for (int frame = 0; frame < FUZZ_FRAMES; frame++)
         subject->instances[frame] = movers->instances[frame];
-    for (int i = 0; i < OBJECTS; i++)
+    fuzz_scene_add_kinds(&movers->world, bytes);
+    for (int i = 0; i < OBJECTS; i++) {
+        share_textures(&movers->parts[i].object, world, bytes);
         if (movers->parts[i].object.scene.limits.layers && !world->limits.layers) world->limits.layers = 1;
+    }
     subject->scene = world;
 }
 
-static const char *run(const uint8_t *input, size_t size_b)
+/* The world of both targets, and where it is seen from. */
+static void make_world(struct movers *movers, struct fuzz_bytes *bytes, struct fuzz_subject *subject, bool is_long)
+{
+    struct fuzz_scene *world = &movers->world;
+
+    if (is_long)
+        fuzz_scene_make_long(world, bytes);
+    else
+        fuzz_scene_make(world, bytes);
+    if (fuzz_below(bytes, 2)) fuzz_scene_add_extras(world, bytes);
+    if (!is_long) return;
+    fuzz_view_move_origin(&subject->cameras[0], world, bytes);
+    memcpy(subject->cameras[1].origin, subject->cameras[0].origin, sizeof subject->cameras[0].origin);
+    if (fuzz_below(bytes, 2)) fuzz_view_move_origin(&subject->cameras[1], world, bytes);
+    for (int i = 0; i < OBJECTS; i++)
+        make_far_part(&movers->parts[i], world, bytes);
+}
+
+static const char *run_in(const uint8_t *input, size_t size_b, bool is_long)
 {
     static struct movers movers;
     struct fuzz_bytes bytes = {input, size_b};
@@ -161,17 +249,34 @@ static const char *run(const uint8_t *input, size_t size_b)
     struct fuzz_means means[2];
     struct error err;
 
-    const struct fuzz_look look = fuzz_look_from(&bytes);
+    struct fuzz_look look = fuzz_look_from(&bytes);
+    if (is_long && look.method >= LIM_DEPTH) /* which long scenes are not for */
+        look.method = look.method == LIM_DEPTH ? LIM_NEAREST_FIRST : LIM_SCANLINE;
     fuzz_means_both_from(&bytes, means);
     means[1].memory = means[0].memory;
+    if (is_long && means[1].page_px != means[0].page_px) means[0].page_px = means[1].page_px = 0;
     fuzz_view_from(&bytes, &subject);
     for (int i = 0; i < OBJECTS; i++)
         make_part(&movers.parts[i], &bytes);
-    fuzz_scene_make(&movers.world, &bytes);
-    if (fuzz_below(&bytes, 2)) fuzz_scene_add_extras(&movers.world, &bytes);
+    make_world(&movers, &bytes, &subject, is_long);
+    /* Planes of textures have room for a few pixels beyond a picture's edges, but where that is twice its height. */
+    if (is_long && movers.world.scene.texture_count && subject.h_px < TEXTURED_H_MIN_PX)
+        subject.h_px = TEXTURED_H_MIN_PX;
     if (!lim_check(&movers.world.scene, &err)) return "a valid scene was refused";
     make(&movers, &bytes, &subject);
     return fuzz_show_both(&subject, &look, means);
 }
 
+static const char *run(const uint8_t *input, size_t size_b)
+{
+    return run_in(input, size_b, false);
+}
+
 const struct fuzz_target fuzz_movers = {"movers", run, NULL};
+
+static const char *run_long(const uint8_t *input, size_t size_b)
+{
+    return run_in(input, size_b, true);
+}
+
+const struct fuzz_target fuzz_long_movers = {"long_movers", run_long, NULL};

@@ -39,12 +39,14 @@ struct fuzz_scene {
     struct lim_texture textures[FUZZ_TEXTURES_MAX];
     uint16_t palette[FUZZ_PALETTE_COLOURS];
     uint8_t texels[FUZZ_TEXEL_BLOCKS * LIM_TEXEL_BLOCK];
+    struct lim_uv uvs[FUZZ_VERTICES_MAX];
     struct lim_place places[2 * FUZZ_NODES_MAX];
     uint8_t pvs[FUZZ_SIGHT_BYTES];
     struct lim_long all;
     struct lim_long_vertex long_vertices[FUZZ_VERTICES_MAX];
     struct lim_long_plane long_planes[FUZZ_NODES_MAX];
     struct lim_long_box long_boxes[FUZZ_NODES_MAX];
+    struct lim_long_mapping long_mappings[FUZZ_MAPPINGS_MAX];
 };
 
 void fuzz_scene_make(struct fuzz_scene *made, struct fuzz_bytes *bytes);
@@ -57,6 +59,15 @@ void fuzz_scene_make_long(struct fuzz_scene *made, struct fuzz_bytes *bytes);
 
 /* Triangles without a tree: what LIM_MESH and LIM_MESH_DEPTH take. */
 void fuzz_scene_make_mesh(struct fuzz_scene *made, struct fuzz_bytes *bytes);
+
+/* To a mesh: textures, if the bytes want them. They come last, so older inputs still mean what they meant. */
+void fuzz_scene_add_places(struct fuzz_scene *made, struct fuzz_bytes *bytes);
+
+/* To a scene with extras, likewise: textures that are masked, or skies. */
+void fuzz_scene_add_kinds(struct fuzz_scene *made, struct fuzz_bytes *bytes);
+
+/* Records with masked textures get an alpha. */
+void fuzz_scene_mask(struct fuzz_scene *made);
 
 /* Adds what not every scene has, as the bytes want it: polygons that are transparent, textured or made by the compiler
  * at some of their edges; visible sets. */

@@ -110,7 +110,7 @@ static bool is_refused_rightly(const struct stage *stage)
     const bool is_chain = scene->limits.depth == scene->node_count && !has_leaf && !scene->limits.layers;
 
     return scene->limits.vertices > LIM_MAX_VERTICES || (!scene->limits.depth && !sorts(method)) ||
-           (method == LIM_CONVEX && !is_chain);
+           (method == LIM_CONVEX && (!is_chain || lim_scene_long(scene)));
 }
 
 static const char *start_options(struct stage *stage)

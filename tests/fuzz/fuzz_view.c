@@ -23,6 +23,21 @@ struct lim_camera fuzz_legal_camera(struct fuzz_bytes *bytes)
     return camera;
 }
 
+/* With what eye_q8 may add, below LIM_LONG_EYE_END. */
+#define ORIGIN_END (LIM_LONG_EYE_END - (INT32_C(1) << 20) - 1)
+
+void fuzz_view_move_origin(struct lim_camera *camera, const struct fuzz_scene *made, struct fuzz_bytes *bytes)
+{
+    const bool is_near = fuzz_below(bytes, 4);
+    const lim_index vertex = fuzz_below(bytes, made->scene.vertex_count);
+
+    for (int i = 0; i < 3; i++) {
+        const int32_t away = (int32_t)fuzz_u32(bytes) >> fuzz_below(bytes, 32);
+        const int64_t at = is_near ? (int64_t)made->long_vertices[vertex].at[i] + away : away;
+        camera->origin[i] = (int32_t)(at < -ORIGIN_END ? -ORIGIN_END : at > ORIGIN_END ? ORIGIN_END : at);
+    }
+}
+
 void fuzz_view_from(struct fuzz_bytes *bytes, struct fuzz_subject *subject)
 {
     struct lim_camera *const next = &subject->cameras[1];

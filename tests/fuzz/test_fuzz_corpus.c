@@ -116,6 +116,18 @@ static void any_objects_move_in_any_valid_scene(void **state)
     replay_corpus("movers");
 }
 
+static void any_objects_move_in_any_valid_scene_of_many_scales(void **state)
+{
+    (void)state;
+    replay_corpus("long_movers");
+}
+
+static void anything_stops_a_walker_in_any_valid_scene(void **state)
+{
+    (void)state;
+    replay_corpus("touch");
+}
+
 static void any_bytes_are_a_model_that_compiles_or_refused(void **state)
 {
     static const char *const formats[] = {"obj", "gltf", "ply", "stl", "off"};
@@ -180,6 +192,8 @@ int main(void)
         cmocka_unit_test(any_valid_scene_looks_the_same_by_any_means),
         cmocka_unit_test(any_triangles_are_a_mesh_by_any_means),
         cmocka_unit_test(any_objects_move_in_any_valid_scene),
+        cmocka_unit_test(any_objects_move_in_any_valid_scene_of_many_scales),
+        cmocka_unit_test(anything_stops_a_walker_in_any_valid_scene),
         cmocka_unit_test(any_bytes_are_a_model_that_compiles_or_refused),
         cmocka_unit_test(models_as_they_should_be_are_read_as_they_are),
         cmocka_unit_test(any_bytes_are_a_map_or_refused),

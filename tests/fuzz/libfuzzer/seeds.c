@@ -12,7 +12,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-enum { BYTES_B = 600, SIDE_MAX_PX = 9 };
+enum { BYTES_B = 600, SIDE_MAX_PX = 9, DUMP_BYTES = 10 };
 
 static void put(const char *folder, const char *target, const char *name, unsigned number, const void *bytes,
                 size_t size_b)
@@ -47,6 +47,32 @@ static void put_map(const char *folder, unsigned number, const uint8_t *bytes)
     uint8_t map[4 * BYTES_B];
 
     put(folder, "wad", "map", number, map, fuzz_wad_seed(map, sizeof map, bytes));
+}
+
+static const char *const dump_options[] = {"--panel st7789 --running", "--panel st7567 --wires reset=-",
+                                           "--panel ssd1306 --running --wires led=-", "--panel ili9341 --running"};
+
+/* Bytes on the wires of a display, the first few as commands: a line for each change. */
+static void put_dump(const char *folder, unsigned number, const uint8_t *bytes)
+{
+    char *text = NULL;
+    size_t size_b = 0;
+    FILE *file = open_memstream(&text, &size_b);
+    unsigned time = 0;
+
+    if (!file) exit(EXIT_FAILURE);
+    fprintf(file, "%s\n$timescale 1 us $end\n$scope module top $end\n", dump_options[number % 4]);
+    fputs("$var wire 1 a dc $end $var wire 1 b sck $end $var wire 1 c mosi $end $var wire 1 d cs $end\n", file);
+    fputs("$var wire 1 e reset $end $upscope $end $enddefinitions $end\n#0 1d 0b 0a 0c 1e\n#1 0e\n#2 1e 0d\n", file);
+    for (int i = 0; i < DUMP_BYTES; i++) {
+        fprintf(file, "%ua\n", i > bytes[0] % DUMP_BYTES);
+        for (int bit = 7; bit >= 0; bit--, time += 2)
+            fprintf(file, "#%u %uc 0b\n#%u 1b\n", time + 3, bytes[i + 1] >> bit & 1u, time + 4);
+    }
+    fprintf(file, "#%u 1d\n", time + 5);
+    if (fclose(file) != 0) exit(EXIT_FAILURE);
+    put(folder, "vcd", "dump", number, text, size_b);
+    free(text);
 }
 
 static void put_pictures(const char *folder, unsigned number, const uint8_t *bytes)
@@ -308,6 +334,7 @@ int main(int argc, char **argv)
         put_models(argv[1], number, bytes);
         put_pictures(argv[1], number, bytes);
         put_map(argv[1], number, bytes);
+        put_dump(argv[1], number, bytes);
     }
     return EXIT_SUCCESS;
 }
