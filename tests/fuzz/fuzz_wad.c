@@ -6,6 +6,7 @@
 #include "fuzz.h"
 #include "fuzz_model.h"
 #include "levels/level_cameras.h"
+#include "levels/level_moves.h"
 #include "unit/levels/wad_writer.h"
 
 #include <math.h>
@@ -14,7 +15,7 @@
 #include <string.h>
 #include <zlib.h>
 
-enum { LUMPS_MOST = 32, FARTHEST_M = 2048 };
+enum { LUMPS_MOST = 32, FARTHEST_M = 2048, DOORS_MARK = 0xD0, DOOR_TAG = 7 };
 
 static const char *const NAMES[] = {"MAP01",   "THINGS",   "LINEDEFS", "SIDEDEFS", "VERTEXES", "SECTORS",  "NODES",
                                     "PNAMES",  "TEXTURE1", "TEXTURE2", "PWALL",    "PGRATE",   "COLORMAP", "FLOOR",
@@ -49,9 +50,19 @@ static const char *check_cameras(const char *path)
     return broken;
 }
 
+/* What doors are is in a last byte that few older inputs have. */
+static enum level_doors doors_of(const uint8_t *bytes, size_t size_b)
+{
+    if (!size_b || (bytes[size_b - 1] & ~3) != DOORS_MARK) return LEVEL_DOORS_CLOSED;
+    return (enum level_doors)((bytes[size_b - 1] & 3) % (LEVEL_DOORS_MOVE + 1));
+}
+
 static const char *run(const uint8_t *bytes, size_t size_b)
 {
     static struct wad_writer wad;
+    const enum level_doors doors = doors_of(bytes, size_b);
+    level_doors_set(doors);
+    if (doors != LEVEL_DOORS_CLOSED) size_b--; /* the mark is of no lump */
     const bool is_file = size_b >= 4 && memcmp(bytes + 1, "WAD", 3) == 0 && (*bytes == 'I' || *bytes == 'P');
     char path[512];
     if (!is_file) write_lumps(&wad, (struct fuzz_bytes){bytes, size_b});
@@ -66,6 +77,19 @@ const struct fuzz_target fuzz_wad = {"wad", run, NULL};
 
 /* Seeds -------------------------------------------------------------------------------------- */
 
+/* The inner sector is a door or a lift. */
+static void make_special(struct wad_map *map, unsigned sector, unsigned line, uint8_t dice)
+{
+    static const uint8_t specials[] = {1, 117, 63, 62, 123, 0};
+    const uint16_t special = specials[dice % sizeof specials];
+
+    map->sectors[sector].tag = DOOR_TAG;
+    for (; line < map->line_count; line++) {
+        map->lines[line][3] = special;
+        map->lines[line][4] = DOOR_TAG;
+    }
+}
+
 static void make_map(struct wad_map *map, const uint8_t dice[8])
 {
     memset(map, 0, sizeof *map);
@@ -73,13 +97,14 @@ static void make_map(struct wad_map *map, const uint8_t dice[8])
     wad_room(map, 0, 0, 256 + dice[2], room);
     if (dice[3] & 1) {
         const unsigned inner = wad_sector(map, dice[4] & 63, 64 + dice[5] % 128, dice[0], "CEIL", "FLOOR");
-        const unsigned first = wad_vertex(map, 64, 64);
+        const unsigned first = wad_vertex(map, 64, 64), first_line = (unsigned)map->line_count;
         wad_vertex(map, 128, 64);
         wad_vertex(map, 96 + dice[6] % 32, 128);
         for (unsigned i = 0; i < 3; i++)
             wad_line(map, first + i, first + (i + 1) % 3, dice[7],
                      wad_side(map, room, "WALL", "WALL", dice[3] & 2 ? "GRATE" : "-"),
                      wad_side(map, inner, "WALL", "WALL", "-"));
+        make_special(map, inner, first_line, dice[6]);
     }
     wad_thing(map, 32, 32, 90, 1);
 }
@@ -104,5 +129,6 @@ size_t fuzz_wad_seed(uint8_t *out, size_t most_b, const uint8_t dice[8])
         memcpy(out + at, wad.bytes + wad.lumps[i].at, size_b);
         at += size_b;
     }
+    if (at < most_b) out[at++] = (uint8_t)(DOORS_MARK + dice[1] % 3);
     return at;
 }
