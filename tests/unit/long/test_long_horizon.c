@@ -6,6 +6,7 @@
  * what the fields of a camera mean. */
 #include "compiler/compile_mesh.h"
 #include "render/ids.h"
+#include "rigs/camera_axes.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/profiles.h"
@@ -220,35 +221,6 @@ static void see_flat(const struct flat *flat, const int64_t eye_q8[3], struct se
         out->normal[i] = (long double)normal[i];
 }
 
-static void turn_axes(long double a[3], long double b[3], long double angle)
-{
-    for (int i = 0; i < 3; i++) {
-        const long double x = a[i], y = b[i];
-        a[i] = x * cosl(angle) + y * sinl(angle);
-        b[i] = y * cosl(angle) - x * sinl(angle);
-    }
-}
-
-static long double radians_of(uint32_t angle)
-{
-    return angle * (2 * acosl(-1) / 4294967296.0L);
-}
-
-/* As camera.h has it. */
-static void set_axes(const struct lim_camera *camera, long double axes[3][3])
-{
-    static const long double straight[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
-
-    memcpy(axes, straight, sizeof straight);
-    turn_axes(axes[2], axes[1], radians_of(camera->pitch));
-    for (int axis = 0; axis < 3; axis++) { /* about y: what is ahead turns from -z towards -x */
-        const long double x = axes[axis][0], z = axes[axis][2], yaw = radians_of(camera->yaw);
-        axes[axis][0] = x * cosl(yaw) + z * sinl(yaw);
-        axes[axis][2] = z * cosl(yaw) - x * sinl(yaw);
-    }
-    turn_axes(axes[1], axes[0], radians_of(camera->roll));
-}
-
 static void truth_set(struct truth *truth, const struct horizon *horizon, const struct lim_camera *camera)
 {
     int64_t eye_q8[3];
@@ -258,7 +230,7 @@ static void truth_set(struct truth *truth, const struct horizon *horizon, const 
     truth->count = horizon->count;
     for (int f = 0; f < horizon->count; f++)
         see_flat(&horizon->flats[f], eye_q8, &truth->flats[f]);
-    set_axes(camera, truth->axes);
+    camera_axes_set(camera, truth->axes);
     truth->tan_x = ldexpl(camera->tan_x_q28, -28);
     truth->tan_y = ldexpl(camera->tan_y_q28, -28);
     truth->near = camera->near_q8 / 256.0L;

@@ -4,6 +4,7 @@
  * every profile, and beside the planes of the view. */
 #include "core/core.h"
 #include "long.h"
+#include "rigs/camera_axes.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/profiles.h"
@@ -55,31 +56,11 @@ struct truth {
     int64_t eye_q8[3];
 };
 
-static void turn_axes(long double a[3], long double b[3], long double angle)
-{
-    for (int i = 0; i < 3; i++) {
-        const long double x = a[i], y = b[i];
-        a[i] = x * cosl(angle) + y * sinl(angle);
-        b[i] = y * cosl(angle) - x * sinl(angle);
-    }
-}
-
-static long double radians_of(uint32_t angle)
-{
-    return angle * (2 * acosl(-1) / 4294967296.0L);
-}
-
 static struct truth truth_of(const struct lim_camera *camera)
 {
-    struct truth truth = {.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}};
+    struct truth truth;
 
-    turn_axes(truth.axes[2], truth.axes[1], radians_of(camera->pitch));
-    for (int axis = 0; axis < 3; axis++) { /* about y: what is ahead turns from -z towards -x */
-        const long double x = truth.axes[axis][0], z = truth.axes[axis][2], yaw = radians_of(camera->yaw);
-        truth.axes[axis][0] = x * cosl(yaw) + z * sinl(yaw);
-        truth.axes[axis][2] = z * cosl(yaw) - x * sinl(yaw);
-    }
-    turn_axes(truth.axes[1], truth.axes[0], radians_of(camera->roll));
+    camera_axes_set(camera, truth.axes);
     truth.tan_x = ldexpl(camera->tan_x_q28, -28);
     truth.tan_y = ldexpl(camera->tan_y_q28, -28);
     for (int i = 0; i < 3; i++)
