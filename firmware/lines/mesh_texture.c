@@ -84,6 +84,13 @@ static inline const LIM_FLASH struct lim_texture *texture_of(const struct lim_me
     return &mesh->pass->scene->textures[corners[3] & mesh->looks->mask];
 }
 
+/* NULL: there are no textures. */
+static inline const LIM_FLASH struct lim_texture *texture_if_any(const struct lim_mesh *mesh,
+                                                                 const LIM_FLASH lim_index *corners)
+{
+    return lim_mesh_has_textures(mesh) ? texture_of(mesh, corners) : NULL;
+}
+
 /* Whether a triangle that is not clipped is as far away as the compiler wants it. */
 static LIM_INLINE bool is_far(const struct lim_mesh *mesh, const struct lim_mesh_active *active,
                               const LIM_FLASH lim_index *corners)
@@ -310,9 +317,8 @@ static LIM_RARE void set_plain(const struct lim_mesh *mesh, struct lim_mesh_acti
     active->look->show = lim_mesh_show_colour;
     active->look->level.w_bits = LIM_MESH_COLOUR;
     active->colour =
-        lim_mesh_has_textures(mesh)
-            ? scene->palettes[texture->palette + scene->texels[(uint32_t)texture->texels * LIM_TEXEL_BLOCK]]
-            : lim_memory_colour((uint16_t)lim_mesh_triangle(mesh, lim_mesh_number(active))[3]);
+        texture ? scene->palettes[texture->palette + scene->texels[(uint32_t)texture->texels * LIM_TEXEL_BLOCK]]
+                : lim_memory_colour((uint16_t)lim_mesh_triangle(mesh, lim_mesh_number(active))[3]);
 }
 
 /* All of its sizes, as a number to compare; at least one is not 0. */
@@ -382,11 +388,11 @@ static LIM_INLINE void take_even(const struct lim_mesh *mesh, const LIM_FLASH st
 static LIM_ALONE bool mesh_set_near(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
     const LIM_FLASH lim_index *const corners = lim_mesh_triangle(mesh, lim_mesh_number(active));
-    const LIM_FLASH struct lim_texture *const texture = texture_of(mesh, corners);
+    const LIM_FLASH struct lim_texture *const texture = texture_if_any(mesh, corners);
     uint32_t moved = 0;
     struct shape shape;
 
-    if (!lim_mesh_has_textures(mesh) || !texture->w_bits) {
+    if (!texture || !texture->w_bits) {
         set_plain(mesh, active, texture);
         return false;
     }
@@ -439,9 +445,9 @@ void lim_mesh_show_first(uint16_t *end, uint_fast16_t n, uint32_t place, const s
 LIM_RARE void lim_mesh_texture_set_clipped(struct lim_mesh *mesh, struct lim_mesh_active *active)
 {
     const LIM_FLASH struct lim_texture *const texture =
-        texture_of(mesh, lim_mesh_triangle(mesh, lim_mesh_number(active)));
+        texture_if_any(mesh, lim_mesh_triangle(mesh, lim_mesh_number(active)));
 
-    if (lim_mesh_has_textures(mesh) && texture->w_bits)
+    if (texture && texture->w_bits)
         set_perspective(mesh, active);
     else
         set_plain(mesh, active, texture);

@@ -53,13 +53,17 @@ static inline int32_t normal_q15(const int16_t n[3], const struct lim_texture_ax
     return dot_3(n, axis->high_q14) * 2 + (dot_3(n, axis->low_q30) >> 15);
 }
 
-/* What a plane may be at most, in 2^12. X goes three times as far as the screen: a stretch's end may lie beyond. */
+/* What a plane may be at most, in 2^12. X goes three times as far as the screen: a stretch's end may lie beyond. Twice
+ * as much is still held: a polygon's surroundings end a line or two beyond the screen, which is more where it has but
+ * one line or two. */
 static inline uint32_t most_of(const struct lim_texturing *texturing, const struct lim_texture_plane *plane)
 {
+    const int32_t h_px = texturing->h_px > 2 ? texturing->h_px : 4;
+
     return (abs_s32(plane->at) >> 12) + 3 +
            (uint32_t)lim_texture_scaled((int32_t)(abs_s32(plane->x) >> 12) * 3 * texturing->w_px,
                                         texturing->axis_bits[0]) +
-           (uint32_t)lim_texture_scaled((int32_t)(abs_s32(plane->y) >> 12) * texturing->h_px, texturing->axis_bits[1]);
+           (uint32_t)lim_texture_scaled((int32_t)(abs_s32(plane->y) >> 12) * h_px, texturing->axis_bits[1]);
 }
 
 /* Scales planes until the larger one fills PLANE_BITS, and says by how many bits. Without limbs they are left as they

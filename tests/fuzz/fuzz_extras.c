@@ -213,8 +213,8 @@ void fuzz_scene_add_places(struct fuzz_scene *made, struct fuzz_bytes *bytes)
 {
     struct lim_scene *scene = &made->scene;
 
-    scene->textures = made->textures; /* the first one's address is taken, and not read, where there is none */
     if (!fuzz_below(bytes, 2)) return;
+    scene->textures = made->textures;
     scene->palettes = made->palette;
     scene->texels = made->texels;
     *scene->uvs = made->uvs;

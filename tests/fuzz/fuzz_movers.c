@@ -17,7 +17,7 @@
 #include <string.h>
 
 enum { OBJECTS = 2, INSTANCES_MAX = 4, KEYS_MAX = 4, ENTRIES_MAX = 256, AT_END_Q8 = 1 << 24 };
-enum { FAR_FINER_BITS = 8, FAR_COARSER_BITS = 14, TEXTURED_H_MIN_PX = 4 };
+enum { FAR_FINER_BITS = 8, FAR_COARSER_BITS = 14 };
 
 struct moving_part {
     struct fuzz_scene object;
@@ -259,9 +259,6 @@ static const char *run_in(const uint8_t *input, size_t size_b, bool is_long)
     for (int i = 0; i < OBJECTS; i++)
         make_part(&movers.parts[i], &bytes);
     make_world(&movers, &bytes, &subject, is_long);
-    /* Planes of textures have room for a few pixels beyond a picture's edges, but where that is twice its height. */
-    if (is_long && movers.world.scene.texture_count && subject.h_px < TEXTURED_H_MIN_PX)
-        subject.h_px = TEXTURED_H_MIN_PX;
     if (!lim_check(&movers.world.scene, &err)) return "a valid scene was refused";
     make(&movers, &bytes, &subject);
     return fuzz_show_both(&subject, &look, means);

@@ -24,11 +24,12 @@ struct rig {
     struct compiled scene;
     const struct core *core;
     struct random random;
+    uint16_t w_px, h_px; /* of what is drawn */
 };
 
 static struct rig rig_make(const struct core *core, uint32_t side_px, double repeat)
 {
-    struct rig rig = {.core = core, .random = {1 + side_px}};
+    struct rig rig = {.core = core, .random = {1 + side_px}, .w_px = W_PX, .h_px = H_PX};
     texture_rig_room(&rig.model, texture_rig_picture(&rig.model, side_px, side_px, &rig.random), repeat);
     rig.scene = texture_rig_compile(&rig.model, &rig.mesh, core);
     return rig;
@@ -50,7 +51,7 @@ static struct lim_camera camera_inside(struct rig *rig)
 static void simulator_start(struct simulator *simulator, const struct rig *rig, enum lim_method method)
 {
     const struct simulator_setup setup = {
-        .w_px = W_PX, .h_px = H_PX, .method = method, .panel = SIMULATOR_MEMORY, .core = rig->core};
+        .w_px = rig->w_px, .h_px = rig->h_px, .method = method, .panel = SIMULATOR_MEMORY, .core = rig->core};
     struct error err;
     if (!simulator_init(simulator, &rig->scene.scene, &setup, &err)) fail_msg("%s", err.text);
 }
@@ -80,8 +81,8 @@ static void check_texel(void *ctx, const struct core_texel_at *at)
     const struct grid *grid = &checking->rig->scene.grid;
     const struct mapping *mapping = checking->mapping;
     const struct texture *texture = &checking->rig->mesh.textures[mapping->texture];
-    const double x = ldexp(checking->camera->tan_x_q28, -28) * ((2.0 * at->x_px + 1) / W_PX - 1);
-    const double y = ldexp(checking->camera->tan_y_q28, -28) * ((2.0 * at->y_px + 1) / H_PX - 1);
+    const double x = ldexp(checking->camera->tan_x_q28, -28) * ((2.0 * at->x_px + 1) / checking->rig->w_px - 1);
+    const double y = ldexp(checking->camera->tan_y_q28, -28) * ((2.0 * at->y_px + 1) / checking->rig->h_px - 1);
     double ray[3], eye_m[3], along = 0, height = 0, place[3], uv[2], error2 = 0;
     for (int i = 0; i < 3; i++) {
         ray[i] = checking->ahead[i] + x * checking->right[i] + y * checking->down[i];
@@ -104,7 +105,8 @@ static void check_texel(void *ctx, const struct core_texel_at *at)
     checking->far += sqrt(error2) > ldexp(1, -off_bits_of(checking->rig->core->profile));
     if (!at->divided) return;
     /* Area of a pixel in texels, by the same projection. */
-    const double px2 = ldexp(checking->camera->tan_x_q28, -27) / W_PX * ldexp(checking->camera->tan_y_q28, -27) / H_PX;
+    const double px2 = ldexp(checking->camera->tan_x_q28, -27) / checking->rig->w_px *
+                       ldexp(checking->camera->tan_y_q28, -27) / checking->rig->h_px;
     double density = 0;
     for (int i = 0; i < 3; i++)
         density += mapping->gradient[0][i] * mapping->gradient[0][i];
@@ -151,6 +153,29 @@ static void set_up_agrees_with_rays_in_double_precision(void **state)
         assert_true(checking.pixels > CAMERAS * W_PX * H_PX / 2);
         assert_true(mean < ldexp(0.4, -off_bits_of(profiles[i]->profile)));
         assert_true(far < 0.01);
+        rig_free(&rig);
+    }
+}
+
+/* A polygon's surroundings end beyond a picture that has but a line or a column. */
+static void lines_and_columns_agree_with_rays_in_double_precision(void **state)
+{
+    (void)state;
+    static const uint16_t sides_px[][2] = {{96, 1}, {96, 2}, {96, 3}, {1, 80}, {2, 80}, {1, 1}, {2, 2}};
+    const struct core *profiles[PROFILES_MAX];
+    const size_t count = profiles_find(profiles);
+    for (size_t i = 0; i < count * (sizeof sides_px / sizeof *sides_px); i++) {
+        const uint16_t *sides = sides_px[i / count];
+        struct rig rig = rig_make(profiles[i % count], 64, 1);
+        rig.w_px = sides[0];
+        rig.h_px = sides[1];
+        const struct checking checking = check_all(&rig, CAMERAS * W_PX * H_PX / 16u / (sides[0] * sides[1]));
+        const double mean = checking.sum / (double)checking.pixels;
+        const double far = (double)checking.far / (double)checking.pixels;
+        print_message("# %s, %ux%u: mean %.4f texels, off by more than is allowed: %.2f %% of %zu pixels\n",
+                      rig.core->name, sides[0], sides[1], mean, 100 * far, checking.pixels);
+        assert_true(mean < ldexp(0.4, -off_bits_of(rig.core->profile)));
+        assert_true(far < 0.03);
         rig_free(&rig);
     }
 }
@@ -202,8 +227,12 @@ static void extremes_are_painted_alike(void **state)
 {
     (void)state;
     static const double repeats[] = {1e-6, 1e-3, 1000, 16000};
-    for (size_t r = 0; r < sizeof repeats / sizeof *repeats; r++) {
-        struct rig rig = rig_make(&core_fast, r % 2 ? 1 : 128, repeats[r]);
+    static const uint16_t sides_px[][2] = {{W_PX, H_PX}, {W_PX, 2}, {2, H_PX}};
+    for (size_t r = 0; r < 6 * sizeof repeats / sizeof *repeats; r++) {
+        struct rig rig = rig_make(r % 2 ? &core_fast : &core_exact, r & 4 ? 1 : 128, repeats[r / 6]);
+        rig.w_px = sides_px[r % 3][0];
+        rig.h_px = sides_px[r % 3][1];
+        const size_t picture_b = (size_t)rig.w_px * rig.h_px * sizeof(uint16_t);
         struct simulator nearest, painter, scanline;
         simulator_start(&nearest, &rig, LIM_NEAREST_FIRST);
         simulator_start(&painter, &rig, LIM_PAINTER);
@@ -219,8 +248,8 @@ static void extremes_are_painted_alike(void **state)
             texture_rig_draw(&nearest, &camera);
             texture_rig_draw(&painter, &camera);
             texture_rig_draw(&scanline, &camera);
-            assert_memory_equal(nearest.pixels, painter.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
-            assert_memory_equal(nearest.pixels, scanline.pixels, W_PX * H_PX * sizeof nearest.pixels[0]);
+            assert_memory_equal(nearest.pixels, painter.pixels, picture_b);
+            assert_memory_equal(nearest.pixels, scanline.pixels, picture_b);
         }
         simulator_free(&nearest);
         simulator_free(&painter);
@@ -362,6 +391,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(set_up_agrees_with_rays_in_double_precision),
+        cmocka_unit_test(lines_and_columns_agree_with_rays_in_double_precision),
         cmocka_unit_test(levels_of_detail_are_those_that_fit),
         cmocka_unit_test(both_orders_paint_the_same),
         cmocka_unit_test(extremes_are_painted_alike),
