@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 #
 # firmware/ and hal/ compile without a warning for every kind of processor that they are meant for, and
-# the objects are what a microcontroller wants: no library, no mutable globals, no floating point.
+# the objects are what a microcontroller wants: no library, no mutable globals, no floating point. Other configurations
+# are compiled for every second kind, for the others with the next commit; SEED=all: for all.
 . tests/tap.sh
+. tests/one_file.sh
+. tests/halved.sh
 
 targets='x86-64 cortex-m0plus cortex-m4 rv32imc avr'
 
@@ -45,10 +48,7 @@ compile_all() { # TARGET FOLDER: compiles every file of the folder, tells all th
     return $failed
 }
 
-# All of firmware/ in one file, at a place where a compiler's cache finds it again.
-mkdir -p "$kept"
-# shellcheck disable=SC2046 # names are words
-printf '#include "%s"\n' $(cd firmware && echo *.c */*.c) >"$kept/all.c"
+all=$(one_file)
 
 # What the compiler has to say of a configuration without making code of it. One file is read faster than all.
 check_variant() { # TARGET FLAG...
@@ -56,7 +56,7 @@ check_variant() { # TARGET FLAG...
     shift
     # shellcheck disable=SC2046,SC2086 # flags are words
     "$(tools_of "$cross_target")gcc" $(flags_of "$cross_target") -ffreestanding $WARNINGS -Ifirmware -Ihal "$@" \
-        -fsyntax-only "$kept/all.c"
+        -fsyntax-only "$all"
 }
 
 check_variants() { # TARGET: other profiles, other screen coordinates, fewer features
@@ -83,7 +83,7 @@ check_variants() { # TARGET: other profiles, other screen coordinates, fewer fea
 is_one_file() { # TARGET
     failed=0
     for profile in $(echo "$PROFILES" | tr '[:lower:]' '[:upper:]'); do
-        compile "$1" "$work/all.o" "$kept/all.c" -DLIM_PROFILE="LIM_PROFILE_$profile" || failed=1
+        compile "$1" "$work/all.o" "$all" -DLIM_PROFILE="LIM_PROFILE_$profile" || failed=1
     done
     return $failed
 }
@@ -144,6 +144,9 @@ for target in $targets; do
     tap_check "$target: hal compiles without a warning" compile_all "$target" hal
     tap_check "$target: firmware needs only itself and integer support" own_symbols_only "$target"
     tap_check "$target: no mutable data" no_mutable_data "$target"
+done
+# shellcheck disable=SC2086 # names
+for target in $(halved $targets); do
     tap_check "$target: other configurations give no warning" check_variants "$target"
     tap_check "$target: all of firmware compiles as one file" is_one_file "$target"
 done

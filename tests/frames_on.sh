@@ -10,6 +10,7 @@
 # at a quarter of the time. EVERY_PROFILE=yes makes it frames_on.
 # shellcheck shell=sh
 . sim/targets/targets.sh
+. tests/one_file.sh
 
 frames_options=     # of compile and render, beside: --wireframe, --method newell
 frames_compile=     # of what reads the model alone: --mesh-leaves all
@@ -17,6 +18,7 @@ frames_path=        # of render alone: --fps 3
 frames_flags=       # of the target's compiler
 frames_every=8      # camera of the file
 frames_suffix=obj
+frames_firmware=$(one_file) # what it compiles of firmware/
 
 frames_expected() { # PROFILE: the scene as C, its cameras, and the host's hashes, all different
     frames_dir=$kept/$1
@@ -46,7 +48,7 @@ frames_agree() { # PROFILE CORE[:FLAG]
     esac
     # shellcheck disable=SC2086 # flags are words
     target_link "$frames_core" "$work/image" "$@" $frames_flags -I"$frames_dir" -DLIM_CONFIG='"model.h"' \
-        sim/targets/frames.c boards/common/app_scene.c "$frames_dir"/model*.c firmware/*.c firmware/*/*.c || return 1
+        sim/targets/frames.c boards/common/app_scene.c "$frames_dir"/model*.c $frames_firmware || return 1
     target_run "$frames_core" "$work/image" >"$work/frames" || echo "exit status $?" >>"$work/frames"
     diff "$frames_dir/expected" "$work/frames"
 }

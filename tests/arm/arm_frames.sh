@@ -6,7 +6,9 @@
 . tests/tap.sh
 . tests/frames_on.sh
 
+frames_firmware='firmware/*.c firmware/*/*.c' # file by file, as users build
 frames_on sim/scenes/rooms 96x64 microbit m4 m4:-Os
+frames_firmware=$(one_file)
 cp sim/scenes/icosahedron.obj "$work/solid.obj"
 cp sim/scenes/teapot.cam "$work/solid.cam"
 frames_options='--method convex'

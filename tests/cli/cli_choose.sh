@@ -5,11 +5,12 @@
 . tests/tap.sh
 
 limner=$BUILD/limner
-model=sim/scenes/teapot.obj
+model='sim/scenes/teapot.obj --tree clusters' # one tree, as all are tried otherwise
 
 chooses() { # PRECISION OPTION...
     wanted=$1
     shift
+    # shellcheck disable=SC2086 # words
     "$limner" compile $model -o "$work/pot" --size 64x64 "$@" >"$work/out" || return 1
     cat "$work/out"
     [ "$(awk '$NF == "chosen" { print $1 }' "$work/out")" = "$wanted" ]
@@ -24,6 +25,7 @@ fractions_are_not_there() { ! fractions_are_there; }
 
 # Whoever is chosen meets the bound, and whoever comes before misses it.
 first_that_meets() { # PERCENT
+    # shellcheck disable=SC2086 # words
     "$limner" compile $model --report --size 64x64 --max-error "$1" >"$work/out" || return 1
     awk -v bound="$1" '/^(draft|fast|fine|exact)/ {
         if ($NF == "chosen") { found = 1; if ($2 > bound) exit 1 }
@@ -34,6 +36,7 @@ first_that_meets() { # PERCENT
 refuses() { # PATTERN OPTION...
     pattern=$1
     shift
+    # shellcheck disable=SC2086 # words
     if "$limner" compile $model -o "$work/none" --size 64x64 "$@" >"$work/out" 2>"$work/err"; then return 1; fi
     cat "$work/err"
     [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "$pattern" "$work/err" && ! ls "$work"/none* 2>/dev/null

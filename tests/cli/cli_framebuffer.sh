@@ -89,13 +89,15 @@ asks_for() { # SCENE OPTION...: bytes into $work/asked
             "$work"/model*.c firmware/*.c firmware/*/*.c && "$work/asks" >"$work/asked" && cat "$work/asked" &&
         awk '{ exit $1 != $2 || $1 <= 0 }' "$work/asked"
 }
-as_said() { # SCENE: by lines, and less in a picture
-    asks_for "$1" && cp "$work/asked" "$work/by_lines" && asks_for "$1" "$2" &&
+as_said() { # SCENE OPTION [OPTION...]: by lines, and less in a picture, which the first option asks for
+    said_scene=$1 said_option=$2
+    shift 2
+    asks_for "$said_scene" "$@" && cp "$work/asked" "$work/by_lines" && asks_for "$said_scene" "$said_option" "$@" &&
         [ "$(cut -d ' ' -f 1 "$work/asked")" -lt "$(cut -d ' ' -f 1 "$work/by_lines")" ]
 }
 tap_check "rooms: memory as its header says, and less than for lines" as_said rooms --framebuffer
 tap_check "so for a picture in pixels of the target's own" as_said rooms --fill
-tap_check "a teapot: memory as its header says, and less than for lines" as_said teapot --framebuffer
+tap_check "a teapot: memory as its header says, and less than for lines" as_said teapot --framebuffer --tree clusters
 tap_check "glass waits for its lines: the picture takes nothing off" asks_for glass --fill
 tap_check "nor of a firmware that draws outlines as well" asks_for rooms --fill --wireframe
 

@@ -4,6 +4,7 @@
 # is drawn by, and the frames are those of `limner render`. What does not fit is refused when it is compiled.
 . tests/tap.sh
 . sim/targets/targets.sh
+. tests/one_file.sh
 . tests/example/example.sh
 
 # Four cameras of a scene's own file, four frames: all are different.
@@ -26,7 +27,7 @@ draws() { # CORE STANDARD FLAG...: what was prepared
     shift 2
     cp tests/targets/begin.c "$work/begin.c"
     example_main_for "$core" begin "$standard" -Isim/targets "$@" &&
-        target_link "$core" "$work/image" -I"$work" -DLIM_CONFIG='"model.h"' "$work/begin.o" "$work"/model*.c firmware/*.c firmware/*/*.c || return 1
+        target_link "$core" "$work/image" -I"$work" -DLIM_CONFIG='"model.h"' "$work/begin.o" "$work"/model*.c "$(one_file)" || return 1
     target_run "$core" "$work/image" >"$work/frames" || echo "exit status $?" >>"$work/frames"
     diff "$work/expected" "$work/frames"
 }

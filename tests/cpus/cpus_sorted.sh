@@ -31,7 +31,7 @@ frames_in_turn 7 "$work/star" 120x90 m0plus m4 rv32 powerpc
 # limit_counts CORE: the frames of tests/targets/newell_limit.c with their instructions, one a line, in $work/limited.
 limit_counts() {
     target_link "$1" "$work/limit" -DLIM_HAS_STATS=1 '-DLIM_CONFIG="model.h"' "-I$work/limited.d" tests/targets/newell_limit.c \
-        boards/common/app_scene.c "$work"/limited.d/model*.c firmware/*.c firmware/*/*.c &&
+        boards/common/app_scene.c "$work"/limited.d/model*.c "$(one_file)" &&
         "$(target_tools "$1")nm" "$work/limit" | awk '$3 == "frame_begin" { print "begin " $1 } $3 == "frame_end" { print "end " $1 }' >"$work/marks" &&
         target_run "$1" "$work/limit" -icount shift=0 -plugin "$BUILD/count_plugin.so,ranges=$work/marks,out=$work/counts" >"$work/frames" &&
         awk '/^frame/ { print $2 + $3 }' "$work/counts" | paste -d ' ' "$work/frames" - >"$work/limited" &&

@@ -3,6 +3,7 @@
 # Rays and walkers find the same on every processor, big-endian and 8-bit ones, too.
 . tests/tap.sh
 . sim/targets/targets.sh
+. tests/one_file.sh
 
 # Rooms have upright planes; a teapot in clusters, with feet on its lid, has planes of its own in leaves.
 prepare() { # MODEL FOLDER CAMERAS [OPTION...]
@@ -30,7 +31,7 @@ found() { # CORE FOLDER
     core=$1 folder=$2
     shift 2
     target_link "$core" "$work/image" '-DLIM_CONFIG="model.h"' "-I$folder" "$@" sim/targets/walks.c boards/common/app_scene.c \
-        "$folder"/model*.c firmware/*.c firmware/*/*.c && target_run "$core" "$work/image" >"$work/$core.found"
+        "$folder"/model*.c "$(one_file)" && target_run "$core" "$work/image" >"$work/$core.found"
 }
 
 host_finds() { # FOLDER RAYS

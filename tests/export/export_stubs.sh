@@ -95,12 +95,14 @@ tap_check "and what moves on a memory LCD" pico_draws $scenes/movers.gltf $scene
 tap_check "ESP-IDF's example shows the teapot on an ST7789" idf_draws $scenes/teapot.obj $scenes/teapot.cam st7789
 tap_check "and rooms on an SH1106" idf_draws $scenes/rooms.obj $scenes/rooms.cam sh1106
 tap_check "its component draws as RV32IMC" idf_as_rv32
+teapot() { "$@" $scenes/teapot.obj --tree clusters; } # CHECK...: of it by one tree, as all are tried otherwise
 all_kinds() { # CHECK...: of what moves, in outlines, smooth
-    "$@" $scenes/movers.gltf && "$@" $scenes/teapot.obj --wireframe && "$@" $scenes/teapot.obj --antialias && "$@" $scenes/rooms.obj --round
+    "$@" $scenes/movers.gltf && "$@" $scenes/teapot.obj --tree clusters --wireframe &&
+        "$@" $scenes/teapot.obj --tree clusters --antialias && "$@" $scenes/rooms.obj --round
 }
 
-tap_check "the program for esp_lcd compiles" esp_lcd_compiles $scenes/teapot.obj
+tap_check "the program for esp_lcd compiles" teapot esp_lcd_compiles
 tap_check "so it does for what moves, outlines and smooth edges" all_kinds esp_lcd_compiles
-tap_check "sketches for TFT_eSPI and LovyanGFX compile, of 25 lines at most, and a widget of LVGL" sketches_compile 25 $scenes/teapot.obj
+tap_check "sketches for TFT_eSPI and LovyanGFX compile, of 25 lines at most, and a widget of LVGL" teapot sketches_compile 25
 tap_check "and so do those for what moves, outlines and smooth edges" all_kinds sketches_compile 30
 tap_done
