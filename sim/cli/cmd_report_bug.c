@@ -31,11 +31,18 @@ struct packing {
 
 /* Options ------------------------------------------------------------------------------------ */
 
+static bool add_option(struct report *report, const char *name, const char *value, struct error *err)
+{
+    char text[REPORT_NAME_B];
+    const int length = snprintf(text, sizeof text, "--%s%s%s", name, value ? "=" : "", value ? value : "");
+    return length < (int)sizeof text ? report_add_argument(report, text, err)
+                                     : error_set(err, "--%s: its value is too long", name);
+}
+
 /* Where outputs would go means nothing to what is drawn; that there are face numbers does, faces are not merged then.
  */
 static bool take_option(struct packing *packing, const struct given_option *given, struct error *err)
 {
-    char text[REPORT_NAME_B];
     if (strcmp(given->name, "o") == 0) {
         packing->report_path = given->value;
         return true;
@@ -47,9 +54,7 @@ static bool take_option(struct packing *packing, const struct given_option *give
         packing->camera_path = value;
         value = REPORT_CAMERAS_NAME;
     }
-    const int length = snprintf(text, sizeof text, "--%s%s%s", given->name, value ? "=" : "", value ? value : "");
-    return length < (int)sizeof text ? report_add_argument(packing->report, text, err)
-                                     : error_set(err, "--%s: its value is too long", given->name);
+    return add_option(packing->report, given->name, value, err);
 }
 
 /* What render would not take at all is a mistake, not a bug to be reported. */
@@ -67,6 +72,15 @@ static bool check_command(struct packing *packing, struct error *err)
     return options_parse(argc, argv, OPTIONS_RENDER, &options, err);
 }
 
+/* What was taken out of the command line before. */
+static bool add_model_options(struct report *report, struct error *err)
+{
+    const struct model_options *given = model_options_given();
+    for (size_t i = 0; i < given->count; i++)
+        if (!add_option(report, given->items[i].name, given->items[i].value, err)) return false;
+    return true;
+}
+
 static bool parse(struct packing *packing, int argc, char **argv, struct error *err)
 {
     struct given_option *given = NULL;
@@ -77,7 +91,7 @@ static bool parse(struct packing *packing, int argc, char **argv, struct error *
         ok = take_option(packing, &given[i], err);
     free(given);
     if (ok && !packing->scene_path) return error_set(err, "report-bug: needs a model or a .lim file");
-    return ok && check_command(packing, err);
+    return ok && check_command(packing, err) && add_model_options(packing->report, err);
 }
 
 /* Files --------------------------------------------------------------------------------------- */

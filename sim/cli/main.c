@@ -9,11 +9,8 @@
 #include "cli/commands.h"
 #include "cli/completion.h"
 #include "cli/man_page.h"
+#include "cli/options.h"
 #include "cli/usage.h"
-#include "compiler/texture_budget.h"
-#include "levels/level_moves.h"
-#include "readers/companion.h"
-#include "readers/picture.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -48,24 +45,6 @@ static const struct command {
                 {"wad", cmd_wad, false},
                 {"walk", cmd_walk, true}};
 
-/* --trust-paths and --no-textures, which mean the same to all commands that read models, are taken out. */
-static int take_common(int argc, char **argv)
-{
-    int kept = 0;
-    bool is_option = true;
-    for (int i = 0; i < argc; i++) {
-        is_option = is_option && strcmp(argv[i], "--") != 0;
-        if (is_option && strcmp(argv[i], "--trust-paths") == 0)
-            companions_trust();
-        else if (is_option && strcmp(argv[i], "--no-textures") == 0)
-            pictures_leave_out();
-        else
-            argv[kept++] = argv[i];
-    }
-    argv[kept] = NULL;
-    return kept;
-}
-
 static bool asks_for_help(const char *argument)
 {
     return strcmp(argument, "help") == 0 || strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0;
@@ -94,33 +73,11 @@ static int help_with(const char *name)
     return usage_print_command(name, stdout) ? EXIT_SUCCESS : no_command(name);
 }
 
-static bool take_doors(const char *name, struct error *err)
-{
-    enum level_doors doors;
-    if (!level_doors_parse(name, &doors, err)) return false;
-    level_doors_set(doors);
-    return true;
-}
-
-/* --sky, --texture-budget and --doors, which do, too. */
-static bool take_of_models(const struct command *command, struct arguments *arguments, struct error *err)
-{
-    const char *sky = NULL, *budget = NULL, *doors = NULL;
-    if (!command->is_long) return true;
-    if (!arguments_value(arguments, "--sky", &sky, err) ||
-        !arguments_value(arguments, "--texture-budget", &budget, err) ||
-        !arguments_value(arguments, "--doors", &doors, err))
-        return false;
-    if (sky) pictures_set_sky(sky);
-    return (!budget || texture_budget_parse(budget, err)) && (!doors || take_doors(doors, err));
-}
-
 /* The time runs from here. */
-static bool begin_time(const struct command *command, struct arguments *arguments, struct error *err)
+static bool begin_time(struct arguments *arguments, struct error *err)
 {
     const char *text = NULL;
     double limit_s;
-    if (!command->is_long) return true;
     if (!arguments_value(arguments, "--time-limit", &text, err) || !deadline_parse(text, &limit_s, err)) return false;
     deadline_begin(limit_s);
     return true;
@@ -128,9 +85,9 @@ static bool begin_time(const struct command *command, struct arguments *argument
 
 static int run_command(const struct command *command, int argc, char **argv)
 {
-    struct arguments arguments = {argv, command->is_long ? take_common(argc, argv) : argc};
+    struct arguments arguments = {argv, argc};
     struct error err;
-    if (take_of_models(command, &arguments, &err) && begin_time(command, &arguments, &err))
+    if (!command->is_long || (model_options_take(&arguments, &err) && begin_time(&arguments, &err)))
         return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);
     return EXIT_FAILURE;

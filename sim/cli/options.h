@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * The command line of `limner render` and `limner view`. */
+ * The command line of `limner render` and `limner view`, and what all commands that read models take. */
 #ifndef SIM_OPTIONS_H
 #define SIM_OPTIONS_H
 
+#include "base/arguments.h"
 #include "cameras/camera_choice.h"
 #include "compiler/compile.h"
 #include "compiler/moving_compile.h"
@@ -76,5 +77,26 @@ bool options_split(int argc, char **argv, struct given_option **given, size_t *c
                    struct error *err);
 
 bool options_scene_is_compiled(const struct options *options);
+
+/* Options that mean the same to all commands which read models: --trust-paths, --no-textures, --sky, --texture-budget,
+ * --doors. They are taken out of a command line and hold for the process. An error: a value is missing or is none. */
+bool model_options_take(struct arguments *arguments, struct error *err);
+
+struct model_option {
+    const char *name;  /* without dashes */
+    const char *value; /* NULL: it has none */
+};
+
+enum { MODEL_OPTIONS_MAX = 4 };
+struct model_options {
+    struct model_option items[MODEL_OPTIONS_MAX];
+    size_t count;
+};
+
+/* Those that the last command line had, but for --trust-paths. Values stay argv's. */
+const struct model_options *model_options_given(void);
+
+/* Whether a word, `--NAME` or `--NAME=VALUE`, is one of these, other than --trust-paths. */
+bool model_options_knows(const char *word);
 
 #endif

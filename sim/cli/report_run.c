@@ -7,6 +7,7 @@
 #include "base/child.h"
 #include "base/ending.h"
 #include "cli/commands.h"
+#include "cli/options.h"
 #include "readers/companion.h"
 
 #include <errno.h>
@@ -32,17 +33,18 @@ static bool redirect(const char *path, int flags, int descriptor)
 _Noreturn static void become(const struct report *report, const struct work_folder *folder, const char *option)
 {
     char *argv[REPORT_ARGUMENTS_MAX + 4];
+    struct arguments arguments = {.items = argv};
+    struct error err;
     char command[] = "render", scene[REPORT_NAME_B + 2], more[REPORT_NAME_B];
     const struct rlimit none = {0, 0};
-    int argc = 0;
     snprintf(scene, sizeof scene, "%s", report->scene);
     snprintf(more, sizeof more, "%s", option);
-    argv[argc++] = command;
+    argv[arguments.count++] = command;
     for (size_t i = 0; i < report->argument_count; i++)
-        argv[argc++] = report->arguments[i];
-    argv[argc++] = more;
-    argv[argc++] = scene;
-    argv[argc] = NULL;
+        argv[arguments.count++] = report->arguments[i];
+    argv[arguments.count++] = more;
+    argv[arguments.count++] = scene;
+    argv[arguments.count] = NULL;
     unsetenv("LIMNER_DUMP");
     unsetenv("LIMNER_CHECK");
     setrlimit(RLIMIT_CORE, &none);
@@ -51,7 +53,11 @@ _Noreturn static void become(const struct report *report, const struct work_fold
         !redirect(LOG_NAME, O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO))
         _exit(EXIT_FAILURE);
     companions_stay_in(REPORT_SCENE_FOLDER);
-    exit(cmd_render(argc, argv));
+    if (!model_options_take(&arguments, &err)) {
+        fprintf(stderr, "%s%s\n", PREFIX, err.text);
+        exit(EXIT_FAILURE);
+    }
+    exit(cmd_render(arguments.count, argv));
 }
 
 /* Of the last line that is an error, without the program's name. */

@@ -110,6 +110,7 @@ static bool check_argument(const struct report *report, char *argument, struct e
     struct given_option *given = NULL;
     const char *scene = NULL;
     size_t count = 0;
+    if (model_options_knows(argument)) return true;
     bool ok = options_split(2, argv, &given, &count, &scene, err);
     if (ok && (count != 1 || scene)) ok = error_set(err, "'option: %s' is none", argument);
     if (ok && given->files == OPTION_READS_CAMERAS && strcmp(given->value, REPORT_CAMERAS_NAME) == 0)

@@ -78,6 +78,16 @@ keeps_options() {
         grep -qx 'option: --camera=random:3:2' "$work/text" && ! grep gif "$work/text"
 }
 
+# Those that all commands take which read models, and which change what is drawn.
+keeps_model_options() {
+    report_of plain "$work/model/textured.obj" --no-textures --camera random:3:2 --size 24x24 &&
+        tar -xOf "$work/made/plain.tar" report.txt | grep -x 'option: --no-textures' &&
+        report_of small "$work/model/textured.obj" --texture-budget 1 --camera random:3:2 --size 24x24 &&
+        tar -xOf "$work/made/small.tar" report.txt | grep -x 'option: --texture-budget=1' &&
+        ! "$limner" replay "$work/made/textured.tar" --doors ajar 2>"$work/err" && grep -q 'no such doors' "$work/err" &&
+        change small 's/^option: --texture-budget=1$/option: --texture-budget=much/' && refused 'not a number'
+}
+
 # What is refused today is refused by the same words; and where it is not, that is a difference.
 refusals() {
     report_of refused sim/scenes/glass.obj --size 16x16 --method convex &&
@@ -139,7 +149,8 @@ forged_options() {
         forged_option '--check=/etc/passwd' 'names no files' && forged_option '--camera=/etc/passwd' 'names no files' &&
         forged_option '--camera=cameras.cam' 'not in the report' && forged_option '--write-hashes=x' 'names no files' &&
         forged_option '--ids=../ids' 'names no files' && forged_option '--nonsense' 'no such option' &&
-        forged_option 'scene/glass.obj' 'is none' && forged_option '--trust-paths' 'trust-paths' && [ ! -e "$work/stolen.gif" ]
+        forged_option 'scene/glass.obj' 'is none' && forged_option '--trust-paths' 'trust-paths' &&
+        forged_option '--sky' 'is none\|no such option' && forged_option '--no-textures=yes' 'is none\|no such option' && [ ! -e "$work/stolen.gif" ]
 }
 
 # Files where none may be.
@@ -265,6 +276,7 @@ tap_check "it holds what the model names" packs_what_it_names
 tap_check "a report of a glTF holds its buffer" gltf_with_buffer
 tap_check "a compiled scene is reported as it is" compiled
 tap_check "options are kept, and outputs left out" keeps_options
+tap_check "so are those of models" keeps_model_options
 tap_check "a scene that is refused is reported too" refusals
 tap_check "a command line that is wrong is no report" is_no_report_at_all
 tap_check "what lies outside of the model's folder is not packed" outside_of_the_folder

@@ -80,6 +80,7 @@ tap_check 'scenes are called by their maps' names_scenes_by_maps
 tap_check 'with doors that move there are no holes' has_no_holes "$one:E1M1" near:5:16 --doors move
 tap_check 'nor with open ones' has_no_holes "$one:E1M1" random:6:16 --doors=open
 tap_check 'E1M1 has twelve doors and two lifts' eval '"$limner" compile "$one:E1M1" --doors move --no-textures --report >said && [ "$(grep -c "^  door of sector" said)" -eq 12 ] && [ "$(grep -c "^  lift of sector" said)" -eq 2 ]'
+tap_check 'a bug report keeps that doors are open' eval '"$limner" report-bug "$one:E1M1" --doors open --no-textures --camera near:5:4 --size 64x48 -o open.tar && "$limner" replay open.tar'
 tap_check 'other doors are refused' is_refused '--doors ajar: no such doors; there are closed, open and move' render "$one:E1M1" --doors ajar -o out.png
 tap_check 'a report holds its WAD' reports_hold_wads
 tap_check 'a WAD without a map is refused' is_refused \
