@@ -19,32 +19,20 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum option_code {
-    OPTION_TREE = 256,
-    OPTION_TOLERANCE,
-    OPTION_SIZE,
-    OPTION_NEAR,
-    OPTION_UNLIT,
-    OPTION_KEEP_FACES,
-    OPTION_DROP_SMALL,
-    OPTION_COORDINATES
-};
+enum option_code { OPTION_TREE = 256, OPTION_TOLERANCE, OPTION_SIZE, OPTION_KEEP_FACES };
 
 static const struct option OPTIONS[] = {
     {"tree", required_argument, NULL, OPTION_TREE},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"size", required_argument, NULL, OPTION_SIZE},
-    {"near", required_argument, NULL, OPTION_NEAR},
-    {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
-    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
-    {"coordinates", required_argument, NULL, OPTION_COORDINATES},
-    ORIENTATION_OPTIONS,
+    COMPILE_MODEL_OPTIONS,
     {NULL, 0, NULL, 0},
 };
 
 static bool parse_option(int code, char **argv, struct compile_options *out, struct error *err)
 {
+    if (compile_options_know(code)) return compile_options_take(code, optarg, out, err);
     switch (code) {
     case OPTION_TREE:
         return tree_kind_parse(optarg, &out->tree, err);
@@ -52,22 +40,8 @@ static bool parse_option(int code, char **argv, struct compile_options *out, str
         return parse_tolerance(optarg, &out->tolerance_units, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->w_px, &out->h_px, err);
-    case OPTION_NEAR:
-        return parse_near(optarg, &out->near_m, err);
-    case OPTION_UNLIT:
-        out->unlit = true;
-        return true;
     case OPTION_KEEP_FACES:
         out->keep_faces = true;
-        return true;
-    case ORIENTATION_UP:
-    case ORIENTATION_REVERSE_FACES:
-    case ORIENTATION_TWO_SIDED:
-        return orientation_parse(code, optarg, &out->orientation, err);
-    case OPTION_COORDINATES:
-        return coordinates_parse(optarg, &out->coordinates, err);
-    case OPTION_DROP_SMALL:
-        out->drop_small = true;
         return true;
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);

@@ -6,7 +6,6 @@
 #include "base/parse.h"
 #include "compiler/compile.h"
 #include "compiler/portal_choice.h"
-#include "compiler/tree_choice.h"
 #include "core/core_parse.h"
 #include "levels/level_path.h"
 #include "measure/worst_views.h"
@@ -23,16 +22,10 @@ enum { UNSAID_SIZE_PX = 240 };
 
 enum option_code {
     OPTION_TOLERANCE = 256,
-    OPTION_SPLITTER,
-    OPTION_TREE,
-    OPTION_MESH_LEAVES,
-    OPTION_COORDINATES,
     OPTION_METHOD,
     OPTION_KEEP_FACES,
     OPTION_PORTALS,
-    OPTION_UNLIT,
     OPTION_BACKGROUND,
-    OPTION_DROP_SMALL,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
@@ -41,8 +34,6 @@ enum option_code {
     OPTION_FRAMEBUFFER,
     OPTION_SIZE,
     OPTION_PANEL,
-    OPTION_FOV,
-    OPTION_NEAR,
     OPTION_PRECISION,
     OPTION_MAX_ERROR,
     OPTION_MAX_VERTEX_ERROR,
@@ -58,17 +49,12 @@ enum option_code {
 
 static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
-    {"splitter", required_argument, NULL, OPTION_SPLITTER},
-    {"tree", required_argument, NULL, OPTION_TREE},
-    {"mesh-leaves", required_argument, NULL, OPTION_MESH_LEAVES},
-    {"coordinates", required_argument, NULL, OPTION_COORDINATES},
     {"method", required_argument, NULL, OPTION_METHOD},
     {"portals", required_argument, NULL, OPTION_PORTALS},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
-    {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"background", required_argument, NULL, OPTION_BACKGROUND},
-    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
-    ORIENTATION_OPTIONS,
+    COMPILE_MODEL_OPTIONS,
+    COMPILE_TREE_OPTIONS,
     {"wireframe", no_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
@@ -83,8 +69,6 @@ static const struct option OPTIONS[] = {
     {"core", required_argument, NULL, OPTION_CORE},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"panel", required_argument, NULL, OPTION_PANEL},
-    {"fov", required_argument, NULL, OPTION_FOV},
-    {"near", required_argument, NULL, OPTION_NEAR},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
     {"path", required_argument, NULL, OPTION_PATH},
@@ -104,10 +88,6 @@ static bool *flag_of(int code, struct compile_request *out)
     switch (code) {
     case OPTION_KEEP_FACES:
         return &out->compile.keep_faces;
-    case OPTION_UNLIT:
-        return &out->compile.unlit;
-    case OPTION_DROP_SMALL:
-        return &out->compile.drop_small;
     case OPTION_WIREFRAME:
         return &out->compile.wireframe;
     case OPTION_ANTIALIAS:
@@ -133,41 +113,25 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
 {
     bool *const flag = flag_of(code, out);
     if (flag) return *flag = true;
+    if (compile_options_know(code)) return compile_options_take(code, optarg, &out->compile, err);
     switch (code) {
     case 'o':
         out->name = optarg;
         return *optarg || error_set(err, "-o: needs a name");
     case OPTION_TOLERANCE:
         return parse_tolerance(optarg, &out->compile.tolerance_units, err);
-    case OPTION_SPLITTER:
-        out->compile.splitter = optarg;
-        return true;
     case OPTION_METHOD:
         return compile_method_parse(optarg, &out->compile, err);
-    case OPTION_TREE:
-        return tree_choice_parse(optarg, &out->compile, err);
-    case OPTION_MESH_LEAVES:
-        return mesh_leaves_parse(optarg, &out->compile.mesh_leaves, err);
-    case OPTION_COORDINATES:
-        return coordinates_parse(optarg, &out->compile.coordinates, err);
     case OPTION_PORTALS:
         return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_BACKGROUND:
         return parse_background(optarg, &out->compile.background, err);
-    case ORIENTATION_UP:
-    case ORIENTATION_REVERSE_FACES:
-    case ORIENTATION_TWO_SIDED:
-        return orientation_parse(code, optarg, &out->compile.orientation, err);
     case OPTION_PRECISION:
         return parse_precision(optarg, &out->compile.core, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->compile.w_px, &out->compile.h_px, err);
     case OPTION_PANEL:
         return panel_choice_parse(optarg, NULL, &out->panel, err);
-    case OPTION_FOV:
-        return parse_fov(optarg, &out->compile.fov_deg, err);
-    case OPTION_NEAR:
-        return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_MAX_ERROR:
         return parse_bound("--max-error", optarg, "%", &out->bound.wrong_percent, err);
     case OPTION_MAX_VERTEX_ERROR:

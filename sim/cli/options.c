@@ -7,7 +7,6 @@
 #include "base/outputs.h"
 #include "base/parse.h"
 #include "compiler/compile.h"
-#include "compiler/tree_choice.h"
 #include "core/core.h"
 #include "core/core_parse.h"
 #include "displays/module_choice.h"
@@ -33,18 +32,10 @@ enum option_code {
     OPTION_WRITE_CAMERAS,
     OPTION_CAMERA,
     OPTION_SIZE,
-    OPTION_FOV,
-    OPTION_NEAR,
     OPTION_PANEL,
     OPTION_METHOD,
-    OPTION_SPLITTER,
-    OPTION_TREE,
-    OPTION_MESH_LEAVES,
-    OPTION_COORDINATES,
     OPTION_TOLERANCE,
-    OPTION_UNLIT,
     OPTION_BACKGROUND,
-    OPTION_DROP_SMALL,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
@@ -78,20 +69,13 @@ static const struct option OPTIONS[] = {
     {"ram", required_argument, NULL, OPTION_RAM},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
-    {"fov", required_argument, NULL, OPTION_FOV},
-    {"near", required_argument, NULL, OPTION_NEAR},
     {"panel", required_argument, NULL, OPTION_PANEL},
     {"method", required_argument, NULL, OPTION_METHOD},
     {"precision", required_argument, NULL, OPTION_PRECISION},
-    {"splitter", required_argument, NULL, OPTION_SPLITTER},
-    {"tree", required_argument, NULL, OPTION_TREE},
-    {"mesh-leaves", required_argument, NULL, OPTION_MESH_LEAVES},
-    {"coordinates", required_argument, NULL, OPTION_COORDINATES},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
-    {"unlit", no_argument, NULL, OPTION_UNLIT},
     {"background", required_argument, NULL, OPTION_BACKGROUND},
-    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
-    ORIENTATION_OPTIONS,
+    COMPILE_MODEL_OPTIONS,
+    COMPILE_TREE_OPTIONS,
     {"wireframe", optional_argument, NULL, OPTION_WIREFRAME},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", optional_argument, NULL, OPTION_DELTA},
@@ -173,10 +157,6 @@ static bool parse_runs(const char *text, uint16_t *out, struct error *err)
 static bool *flag_of(int code, struct options *out)
 {
     switch (code) {
-    case OPTION_UNLIT:
-        return &out->compile.unlit;
-    case OPTION_DROP_SMALL:
-        return &out->compile.drop_small;
     case OPTION_ANTIALIAS:
         return &out->compile.antialias;
     case OPTION_STATS:
@@ -192,8 +172,6 @@ static bool *flag_of(int code, struct options *out)
 static const char **text_of(int code, struct options *out)
 {
     switch (code) {
-    case OPTION_SPLITTER:
-        return &out->compile.splitter;
     case OPTION_GIF:
         return &out->gif_path;
     case OPTION_SHEET:
@@ -216,6 +194,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     bool *const flag = flag_of(code, out);
     const char **const kept = text_of(code, out);
     if (flag) return *flag = true;
+    if (compile_options_know(code)) return compile_options_take(code, text, &out->compile, err);
     if (kept) {
         *kept = text;
         return true;
@@ -225,10 +204,6 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return camera_choice_parse(text, &out->cameras, err);
     case OPTION_SIZE:
         return parse_size(text, &out->setup.w_px, &out->setup.h_px, err);
-    case OPTION_FOV:
-        return parse_fov(text, &out->compile.fov_deg, err);
-    case OPTION_NEAR:
-        return parse_near(text, &out->compile.near_m, err);
     case OPTION_PANEL:
         return parse_panel(text, out, err);
     case OPTION_METHOD:
@@ -249,10 +224,6 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return parse_precision(text, &out->setup.core, err);
     case OPTION_BACKGROUND:
         return parse_background(text, &out->compile.background, err);
-    case ORIENTATION_UP:
-    case ORIENTATION_REVERSE_FACES:
-    case ORIENTATION_TWO_SIDED:
-        return orientation_parse(code, text, &out->compile.orientation, err);
     case OPTION_WIREFRAME:
         out->compile.wireframe = true;
         return parse_wireframe(text, &out->wireframe, err);
@@ -262,12 +233,6 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_OVERLAY:
         out->overlay_text = text;
         return caption_check(text, err);
-    case OPTION_TREE:
-        return tree_choice_parse(text, &out->compile, err);
-    case OPTION_MESH_LEAVES:
-        return mesh_leaves_parse(text, &out->compile.mesh_leaves, err);
-    case OPTION_COORDINATES:
-        return coordinates_parse(text, &out->compile.coordinates, err);
     case OPTION_TOLERANCE:
         return parse_tolerance(text, &out->compile.tolerance_units, err);
     case OPTION_OUT:

@@ -3,12 +3,78 @@
  * A method may need a tree of its own kind, or none. */
 #include "compiler/compile_options.h"
 
+#include "base/parse.h"
 #include "cameras/camera_choice.h"
 #include "core/core.h"
 #include "model/baked_light.h"
 #include "model/model.h"
 
 #include <string.h>
+
+const char *const mesh_leaves_names[] = {"auto", "none", "all"};
+
+/* Options --------------------------------------------------------------------------------------- */
+
+static bool parse_tree(const char *text, struct compile_options *out, struct error *err)
+{
+    if (!tree_kind_parse(text, &out->tree, err)) return false;
+    out->trial = TRIAL_ALWAYS;
+    return true;
+}
+
+static bool parse_mesh_leaves(const char *text, enum mesh_leaves *out, struct error *err)
+{
+    for (int i = 0; i <= MESH_LEAVES_ALL; i++) {
+        if (strcmp(text, mesh_leaves_names[i]) != 0) continue;
+        *out = (enum mesh_leaves)i;
+        return true;
+    }
+    return error_set(err, "--mesh-leaves %s: no such choice; there are auto, none and all", text);
+}
+
+static bool parse_coordinates(const char *text, enum coordinates *out, struct error *err)
+{
+    static const char *const names[] = {"auto", "16", "32"};
+    for (int i = 0; i <= COORDINATES_32; i++) {
+        if (strcmp(text, names[i]) != 0) continue;
+        *out = (enum coordinates)i;
+        return true;
+    }
+    return error_set(err, "--coordinates %s: no such choice; there are auto, 16 and 32", text);
+}
+
+bool compile_options_know(int code)
+{
+    return (code >= COMPILE_NEAR && code < COMPILE_CODES_END) || code == ORIENTATION_UP ||
+           code == ORIENTATION_REVERSE_FACES || code == ORIENTATION_TWO_SIDED;
+}
+
+bool compile_options_take(int code, const char *text, struct compile_options *out, struct error *err)
+{
+    switch (code) {
+    case COMPILE_NEAR:
+        return parse_near(text, &out->near_m, err);
+    case COMPILE_COORDINATES:
+        return parse_coordinates(text, &out->coordinates, err);
+    case COMPILE_UNLIT:
+        return out->unlit = true;
+    case COMPILE_DROP_SMALL:
+        return out->drop_small = true;
+    case COMPILE_TREE:
+        return parse_tree(text, out, err);
+    case COMPILE_SPLITTER:
+        out->splitter = text;
+        return true;
+    case COMPILE_MESH_LEAVES:
+        return parse_mesh_leaves(text, &out->mesh_leaves, err);
+    case COMPILE_FOV:
+        return parse_fov(text, &out->fov_deg, err);
+    default:
+        return orientation_parse(code, text, &out->orientation, err);
+    }
+}
+
+/* What follows from them --------------------------------------------------------------------------- */
 
 bool compile_options_settle(struct compile_options *options, struct error *err)
 {
@@ -55,35 +121,12 @@ enum lim_method compile_options_draws(const struct compile_options *options)
     return options->tree == TREE_MESH ? LIM_MESH_DEPTH : LIM_NEAREST_FIRST;
 }
 
-const char *const mesh_leaves_names[] = {"auto", "none", "all"};
-
-bool mesh_leaves_parse(const char *text, enum mesh_leaves *out, struct error *err)
-{
-    for (int i = 0; i <= MESH_LEAVES_ALL; i++) {
-        if (strcmp(text, mesh_leaves_names[i]) != 0) continue;
-        *out = (enum mesh_leaves)i;
-        return true;
-    }
-    return error_set(err, "--mesh-leaves %s: no such choice; there are auto, none and all", text);
-}
-
 bool compile_options_may_leaf(const struct compile_options *options)
 {
     const enum lim_method draws = compile_options_draws(options);
     if (options->core && options->core->profile == LIM_PROFILE_EXACT) return false;
     if (options->wireframe || options->framebuffer || options->portals == PORTALS_ON) return false;
     return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
-}
-
-bool coordinates_parse(const char *text, enum coordinates *out, struct error *err)
-{
-    static const char *const names[] = {"auto", "16", "32"};
-    for (int i = 0; i <= COORDINATES_32; i++) {
-        if (strcmp(text, names[i]) != 0) continue;
-        *out = (enum coordinates)i;
-        return true;
-    }
-    return error_set(err, "--coordinates %s: no such choice; there are auto, 16 and 32", text);
 }
 
 static bool may_be_long(const struct compile_options *options)

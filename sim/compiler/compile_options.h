@@ -21,9 +21,6 @@ enum mesh_leaves { MESH_LEAVES_AUTO, MESH_LEAVES_NONE, MESH_LEAVES_ALL };
 
 extern const char *const mesh_leaves_names[MESH_LEAVES_ALL + 1];
 
-/* --mesh-leaves. */
-bool mesh_leaves_parse(const char *text, enum mesh_leaves *out, struct error *err);
-
 enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 
 /* How many bits coordinates have: AUTO takes 32 where 16 would not keep what faithful.h promises. */
@@ -66,15 +63,40 @@ struct compile_options {
     bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
 };
 
+/* Rows of tables for getopt_long(), and what it returns then: options of all that compiles models; and of what may
+ * choose their trees. */
+#define COMPILE_MODEL_OPTIONS                                                                                          \
+    {"near", required_argument, NULL, COMPILE_NEAR}, {"coordinates", required_argument, NULL, COMPILE_COORDINATES},    \
+        {"unlit", no_argument, NULL, COMPILE_UNLIT}, {"drop-small", no_argument, NULL, COMPILE_DROP_SMALL},            \
+        ORIENTATION_OPTIONS
+#define COMPILE_TREE_OPTIONS                                                                                           \
+    {"tree", required_argument, NULL, COMPILE_TREE}, {"splitter", required_argument, NULL, COMPILE_SPLITTER},          \
+        {"mesh-leaves", required_argument, NULL, COMPILE_MESH_LEAVES},                                                 \
+    {                                                                                                                  \
+        "fov", required_argument, NULL, COMPILE_FOV                                                                    \
+    }
+enum compile_code {
+    COMPILE_NEAR = 2048,
+    COMPILE_COORDINATES,
+    COMPILE_UNLIT,
+    COMPILE_DROP_SMALL,
+    COMPILE_TREE,
+    COMPILE_SPLITTER,
+    COMPILE_MESH_LEAVES,
+    COMPILE_FOV,
+    COMPILE_CODES_END
+};
+
+/* Whether it is one of these, and what it sets. text: its value, which is kept, if it has one. */
+bool compile_options_know(int code);
+bool compile_options_take(int code, const char *text, struct compile_options *out, struct error *err);
+
 /* --path: reads a camera file, or a map's cameras. What was read before is freed. */
 bool compile_path_parse(const char *text, struct compile_options *out, struct error *err);
 
 /* Whether scenes may have mesh leaves: not where the order is promised, or by methods that do not walk a tree, as
  * wireframe, into a framebuffer, or beside portals. */
 bool compile_options_may_leaf(const struct compile_options *options);
-
-/* --coordinates. */
-bool coordinates_parse(const char *text, enum coordinates *out, struct error *err);
 
 /* The coordinates that a model's scene may have: what is not drawn by a method that walks a tree of all polygons cannot
  * be long (firmware/long.h), and has 16 bits. Refuses it where 32 were asked for. */

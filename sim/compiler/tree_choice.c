@@ -22,13 +22,6 @@ static const double OTHERS_SHARE = 0.5;         /* of the time: what follows nee
 static const double FEW_REACHED = 6.0;          /* polygons for each that is seen */
 static const size_t MANY = 40000;               /* polygons: what splits much then is a mesh, and takes no tree */
 
-bool tree_choice_parse(const char *text, struct compile_options *out, struct error *err)
-{
-    if (!tree_kind_parse(text, &out->tree, err)) return false;
-    out->trial = TRIAL_ALWAYS;
-    return true;
-}
-
 static bool is_better(const struct compile_report *a, const struct compile_report *b, const struct compile_report *bsp)
 {
     if (isnan(a->instructions) || a->instructions > ENOUGH * bsp->instructions) return false;

@@ -8,9 +8,6 @@
 #include "compiler/compile_options.h"
 #include "scene/compiled.h"
 
-/* --tree NAME. */
-bool tree_choice_parse(const char *text, struct compile_options *out, struct error *err);
-
 /* compile_mesh() with the tree that the options name, or with the best if they leave it open: another tree than the BSP
  * must spare a tenth of the BSP tree's predicted instructions; within a hundredth of one another, the smaller wins.
  * Where nothing is predicted, it is the BSP tree. The same model gives the same tree on every machine. */

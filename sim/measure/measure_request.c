@@ -8,7 +8,6 @@
 #include "base/progress.h"
 #include "compiler/compile.h"
 #include "compiler/portal_choice.h"
-#include "compiler/tree_choice.h"
 #include "core/core.h"
 #include "levels/level_path.h"
 #include "scene/scene_files.h"
@@ -21,26 +20,18 @@
 enum option_code {
     OPTION_CAMERA = 256,
     OPTION_SIZE,
-    OPTION_FOV,
-    OPTION_NEAR,
     OPTION_PRECISION,
     OPTION_SUB_BITS,
     OPTION_CORE,
     OPTION_OPTIMISE,
     OPTION_NO_COST,
     OPTION_KEEP_FACES,
-    OPTION_UNLIT,
-    OPTION_DROP_SMALL,
     OPTION_METHOD,
     OPTION_ANTIALIAS,
     OPTION_DELTA,
     OPTION_OVERLAY,
     OPTION_FRAMEBUFFER,
     OPTION_PORTALS,
-    OPTION_TREE,
-    OPTION_MESH_LEAVES,
-    OPTION_COORDINATES,
-    OPTION_SPLITTER,
     OPTION_FRAMES,
     OPTION_COST_FRAMES,
     OPTION_SEED,
@@ -56,27 +47,20 @@ static const struct option OPTIONS[] = {
     {"out", required_argument, NULL, 'o'},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
-    {"fov", required_argument, NULL, OPTION_FOV},
-    {"near", required_argument, NULL, OPTION_NEAR},
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"sub-bits", no_argument, NULL, OPTION_SUB_BITS},
     {"core", required_argument, NULL, OPTION_CORE},
     {"optimise", required_argument, NULL, OPTION_OPTIMISE},
     {"no-cost", no_argument, NULL, OPTION_NO_COST},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
-    {"unlit", no_argument, NULL, OPTION_UNLIT},
-    {"drop-small", no_argument, NULL, OPTION_DROP_SMALL},
-    ORIENTATION_OPTIONS,
+    COMPILE_MODEL_OPTIONS,
+    COMPILE_TREE_OPTIONS,
     {"method", required_argument, NULL, OPTION_METHOD},
     {"antialias", no_argument, NULL, OPTION_ANTIALIAS},
     {"delta", no_argument, NULL, OPTION_DELTA},
     {"overlay", no_argument, NULL, OPTION_OVERLAY},
     {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
     {"portals", required_argument, NULL, OPTION_PORTALS},
-    {"tree", required_argument, NULL, OPTION_TREE},
-    {"mesh-leaves", required_argument, NULL, OPTION_MESH_LEAVES},
-    {"coordinates", required_argument, NULL, OPTION_COORDINATES},
-    {"splitter", required_argument, NULL, OPTION_SPLITTER},
     {"frames", required_argument, NULL, OPTION_FRAMES},
     {"cost-frames", required_argument, NULL, OPTION_COST_FRAMES},
     {"seed", required_argument, NULL, OPTION_SEED},
@@ -98,8 +82,8 @@ static bool has_option(enum measure_of of, int code)
 {
     switch (code) {
     case OPTION_METHOD:
-    case OPTION_TREE:
-    case OPTION_MESH_LEAVES:
+    case COMPILE_TREE:
+    case COMPILE_MESH_LEAVES:
     case OPTION_PORTALS:
         return of != MEASURE_METHODS;
     case OPTION_SUB_BITS:
@@ -215,10 +199,6 @@ static bool *flag_of(int code, struct measure_request *out, bool *no_cost)
         return &out->sub_bits;
     case OPTION_KEEP_FACES:
         return &out->compile.keep_faces;
-    case OPTION_UNLIT:
-        return &out->compile.unlit;
-    case OPTION_DROP_SMALL:
-        return &out->compile.drop_small;
     case OPTION_ANTIALIAS:
         return &out->compile.antialias;
     case OPTION_DELTA:
@@ -237,6 +217,7 @@ static bool *flag_of(int code, struct measure_request *out, bool *no_cost)
 /* One that has a value. */
 static bool parse_option(int code, char **argv, struct measure_request *out, struct error *err)
 {
+    if (compile_options_know(code)) return compile_options_take(code, optarg, &out->compile, err);
     switch (code) {
     case 'o':
         out->folder = optarg;
@@ -253,10 +234,6 @@ static bool parse_option(int code, char **argv, struct measure_request *out, str
         return camera_choice_parse(optarg, &out->cameras, err);
     case OPTION_SIZE:
         return parse_size(optarg, &out->w_px, &out->h_px, err);
-    case OPTION_FOV:
-        return parse_fov(optarg, &out->compile.fov_deg, err);
-    case OPTION_NEAR:
-        return parse_near(optarg, &out->compile.near_m, err);
     case OPTION_PRECISION:
         return parse_list("--precision", optarg, out, add_core, err);
     case OPTION_CORE:
@@ -268,23 +245,10 @@ static bool parse_option(int code, char **argv, struct measure_request *out, str
         return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_METHOD:
         return compile_method_parse(optarg, &out->compile, err);
-    case OPTION_TREE:
-        return tree_choice_parse(optarg, &out->compile, err);
-    case OPTION_MESH_LEAVES:
-        return mesh_leaves_parse(optarg, &out->compile.mesh_leaves, err);
-    case OPTION_COORDINATES:
-        return coordinates_parse(optarg, &out->compile.coordinates, err);
-    case OPTION_SPLITTER:
-        out->compile.splitter = optarg;
-        return true;
     case OPTION_FRAMES:
         return parse_count("--frames", optarg, &out->frames, err);
     case OPTION_COST_FRAMES:
         return parse_count("--cost-frames", optarg, &out->cost_frames, err);
-    case ORIENTATION_UP:
-    case ORIENTATION_REVERSE_FACES:
-    case ORIENTATION_TWO_SIDED:
-        return orientation_parse(code, optarg, &out->compile.orientation, err);
     case ':':
         return error_set(err, "%s: needs a value", argv[optind - 1]);
     default:

@@ -4,6 +4,7 @@
  * building that hangs together is seen, and the same comes out again. */
 #include "cameras/walk_path.h"
 #include "rigs/cmocka_ready.h"
+#include "rigs/effort.h"
 #include "rigs/room_scene.h"
 #include "unit/collide/solid_stage.h"
 
@@ -53,7 +54,7 @@ static void random_buildings_are_walked_through(void **state)
     struct random random = {4};
 
     (void)state;
-    for (int k = 0; k < 6; k++) {
+    for (int k = 0, count = effort(6); k < count; k++) {
         struct room_scene rooms;
         struct compiled scene;
         struct walk_found found, again;
