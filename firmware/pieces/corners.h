@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Corners of the sorted list's pieces, and planes to compare them with: in units, whole records exactly, pieces
- * with 12 fraction bits, cut by the planes that made them. */
+ * Corners of the sorted list's pieces, to be compared with planes: in units, whole records exactly, pieces with 12
+ * fraction bits, cut by the planes that made them. */
 #ifndef LIM_CORNERS_H
 #define LIM_CORNERS_H
 
@@ -18,17 +18,6 @@ void lim_entry_set_extent(struct lim_sorter *sorter, uint16_t entry, struct lim_
 
 /* The corner of a record, in units of the scene. */
 void lim_entry_corner(const struct lim_sorter *sorter, uint16_t entry, lim_index vertex, int32_t at_q12[3]);
-
-/* Whether no plane of an entry is stored: it is that of its corners, and no other entry's but of its own pieces. */
-bool lim_plane_is_of_corners(const struct lim_sorter *sorter, uint16_t entry);
-
-/* The plane of an entry of the list, in its own scene. Entries without a record stand for the plane of a node. Where it
- * is that of corners the first names none. */
-const LIM_FLASH struct lim_plane_ref *lim_plane_of(const struct lim_sorter *sorter, uint16_t entry);
-void lim_plane_load_own(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry);
-
-/* The same in the static scene. */
-void lim_plane_load(struct lim_plane_unpacked *plane, const struct lim_sorter *sorter, uint16_t entry);
 
 /* Of the corners of an entry, in one of two places, those of the part on one side of a plane, in the other. NULL: as
  * below. */

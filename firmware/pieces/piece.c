@@ -139,8 +139,7 @@ uint8_t lim_piece_sides(const struct lim_sorter *sorter, uint16_t of, uint16_t b
         const uint8_t sides = sides_at_home(sorter, of, &plane);
         if (whole || sides != LIM_SIDE_BOTH) return sides;
     }
-    lim_plane_load(&plane, sorter, by);
-    if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, lim_entry_owner(sorter, of));
+    lim_plane_load_for(&plane, sorter, by, of);
     const uint8_t sides = sides_of_whole(sorter, of, &plane);
     return whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(sorter, of, &plane);
 }
@@ -291,8 +290,7 @@ static bool piece_project(struct lim_sorter *sorter, uint16_t of, uint16_t by, u
     if (part == LIM_SIDE_BOTH) {
         corners = lim_corners_of(sorter, of, places);
     } else {
-        lim_plane_load(&plane, sorter, by);
-        if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, lim_entry_owner(sorter, of));
+        lim_plane_load_for(&plane, sorter, by, of);
         corners = lim_corners_cut(sorter, of, &plane, (part == LIM_SIDE_FRONT) == polygons[by].eye_in_front, places);
     }
     return corners && project_corners(sorter, corners, out);
@@ -336,8 +334,7 @@ static LIM_IF_CALLED bool split_corners(struct lim_sorter *sorter, uint16_t entr
     struct lim_plane_unpacked plane;
 
     if (LIM_OPTIMISE_SIZE) return true;
-    lim_plane_load(&plane, sorter, by);
-    if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, lim_entry_owner(sorter, entry));
+    lim_plane_load_for(&plane, sorter, by, entry);
     return lim_corners_split(sorter, entry, &plane, sorter->newell->cuts_used);
 }
 

@@ -351,10 +351,7 @@ static void trace_of(struct trace *trace, const struct lim_sorter *sorter, uint1
 {
     struct lim_plane_unpacked plane;
 
-    lim_plane_load(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX);
-    if (LIM_HAS_FAR_MOVERS)
-        lim_plane_load_far(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX,
-                           lim_entry_owner(sorter, entry));
+    lim_plane_load_for(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX, entry);
     set_trace(trace, sorter, entry, &plane);
 }
 

@@ -65,7 +65,7 @@ static void turn_plane_of(struct lim_turned_plane *turned, const struct lim_sort
     struct lim_plane_unpacked plane;
 
     lim_plane_load(&plane, sorter, by);
-    if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, owner);
+    lim_plane_bring_for(&plane, sorter, by, owner);
     lim_plane_turn(turned, &sorter->movers->instances[owner], &plane);
 }
 
@@ -97,8 +97,7 @@ static uint8_t sides_of_cut(const struct lim_sorter *sorter, uint16_t by, uint16
 {
     struct lim_plane_unpacked plane;
 
-    lim_plane_load(&plane, sorter, by);
-    if (LIM_HAS_FAR_MOVERS) lim_plane_load_far(&plane, sorter, by, lim_entry_owner(sorter, entry));
+    lim_plane_load_for(&plane, sorter, by, entry);
     const uint8_t sides = lim_piece_sides_of(sorter, entry, &plane);
     if (sides) return sides;
     return sorter->newell->polygons[by].eye_in_front ? LIM_SIDE_FRONT : LIM_SIDE_BACK;

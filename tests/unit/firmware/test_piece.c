@@ -4,6 +4,7 @@
  * the rays through its pixels, its corners with cutting in doubles, overlaps with separating axes on the screen. */
 #include "limner.h"
 #include "pieces/corners.h"
+#include "pieces/entry.h"
 #include "pieces/newell.h"
 #include "pieces/piece.h"
 #include "pieces/trace.h"
