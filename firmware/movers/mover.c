@@ -292,7 +292,7 @@ static uint32_t reach_of_vertices(const struct lim_scene *object, const int32_t 
     for (lim_index k = 0; k < object->vertex_count; k++) {
         const struct lim_vertex at = object->vertices[k];
         const uint32_t x = (uint32_t)((at.x - centre[0]) >> shift), y = (uint32_t)((at.y - centre[1]) >> shift);
-        const uint32_t z = (uint32_t)((at.z - centre[2]) >> shift), x2 = x * x, sum = y * y + x2 + z * z;
+        const uint32_t z = (uint32_t)((at.z - centre[2]) >> shift), sum = x * x + y * y + z * z;
         if (sum > square) square = sum;
     }
     return ((root_above(square) + (shift ? 2 : 0)) << shift) + (LIM_HAS_FRACTIONS ? 2 : 0);

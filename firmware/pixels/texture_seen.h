@@ -53,9 +53,9 @@ static inline int32_t normal_q15(const int16_t n[3], const struct lim_texture_ax
     return dot_3(n, axis->high_q14) * 2 + (dot_3(n, axis->low_q30) >> 15);
 }
 
-/* What a plane may be at most, in 2^12. X goes three times as far as the screen: a stretch's end may lie beyond. Twice
- * as much is still held: a polygon's surroundings end a line or two beyond the screen, which is more where it has but
- * one line or two. */
+/* What a plane may be at most, in 2^12. X goes three times as far as the screen: a stretch's end may lie beyond. A
+ * polygon's surroundings reach a line or two beyond it. There is room for twice the screen, which is too little where
+ * it has one line or two: then it counts as one of four. */
 static inline uint32_t most_of(const struct lim_texturing *texturing, const struct lim_texture_plane *plane)
 {
     const int32_t h_px = texturing->h_px > 2 ? texturing->h_px : 4;

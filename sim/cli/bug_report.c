@@ -71,6 +71,8 @@ bool report_add_argument(struct report *report, const char *text, struct error *
 {
     if (report->argument_count == REPORT_ARGUMENTS_MAX)
         return error_set(err, "%s: a report holds %d options at most", text, REPORT_ARGUMENTS_MAX);
+    const int line = (int)strcspn(text, "\n");
+    if (text[line]) return error_set(err, "%.*s: a report holds options of one line", line, text);
     char *copy = strdup(text);
     if (!copy) return error_set(err, "%s: out of memory", text);
     report->arguments[report->argument_count++] = copy;

@@ -47,7 +47,7 @@ bool report_name_is_allowed(const char *name);
 /* Takes a file of the work folder into the list. */
 bool report_add(struct report *report, const struct work_folder *folder, const char *name, struct error *err);
 
-/* Takes one of render's options into the list. */
+/* Takes one of render's options into the list: a line of text. */
 bool report_add_argument(struct report *report, const char *text, struct error *err);
 
 void report_free(struct report *report);

@@ -31,6 +31,7 @@ static const struct {
     const char *name;
     bool (*set)(const char *value, struct error *err);
 } OPTIONS[] = {{"--sky", set_sky}, {"--texture-budget", texture_budget_parse}, {"--doors", set_doors}};
+_Static_assert(sizeof OPTIONS / sizeof *OPTIONS + 1 <= MODEL_OPTIONS_MAX, "each is given once");
 static const char NO_TEXTURES[] = "--no-textures";
 enum { DASHES = 2 };
 

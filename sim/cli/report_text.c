@@ -110,6 +110,8 @@ static bool check_argument(const struct report *report, char *argument, struct e
     struct given_option *given = NULL;
     const char *scene = NULL;
     size_t count = 0;
+    if (strcmp(argument, "--trust-paths") == 0)
+        return error_set(err, "'option: %s': a report trusts no paths", argument);
     if (model_options_knows(argument)) return true;
     bool ok = options_split(2, argv, &given, &count, &scene, err);
     if (ok && (count != 1 || scene)) ok = error_set(err, "'option: %s' is none", argument);
@@ -117,8 +119,6 @@ static bool check_argument(const struct report *report, char *argument, struct e
         ok = is_listed(report, REPORT_CAMERAS_NAME) || error_set(err, "%s: is not in the report", REPORT_CAMERAS_NAME);
     else if (ok && given->files != OPTION_NAMES_NONE && strcmp(argument, REPORT_IDS_OPTION) != 0)
         ok = error_set(err, "'option: %s': a report names no files but its own", argument);
-    if (ok && strcmp(given->name, "trust-paths") == 0)
-        ok = error_set(err, "'option: %s': a report trusts no paths", argument);
     free(given);
     return ok;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A method may need a tree of its own kind, or none. */
+ * What options of a command line set, and what follows from them: a method may need a tree of its own kind, or none. */
 #include "compiler/compile_options.h"
 
 #include "base/parse.h"
@@ -45,8 +45,7 @@ static bool parse_coordinates(const char *text, enum coordinates *out, struct er
 
 bool compile_options_know(int code)
 {
-    return (code >= COMPILE_NEAR && code < COMPILE_CODES_END) || code == ORIENTATION_UP ||
-           code == ORIENTATION_REVERSE_FACES || code == ORIENTATION_TWO_SIDED;
+    return code >= ORIENTATION_UP && code < COMPILE_CODES_END;
 }
 
 bool compile_options_take(int code, const char *text, struct compile_options *out, struct error *err)

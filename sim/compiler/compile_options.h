@@ -63,8 +63,8 @@ struct compile_options {
     bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
 };
 
-/* Rows of tables for getopt_long(), and what it returns then: options of all that compiles models; and of what may
- * choose their trees. */
+/* Rows of a table for getopt_long(), and the codes that it returns for them. All commands that compile models have the
+ * first ones, those that may choose a tree the others, too. */
 #define COMPILE_MODEL_OPTIONS                                                                                          \
     {"near", required_argument, NULL, COMPILE_NEAR}, {"coordinates", required_argument, NULL, COMPILE_COORDINATES},    \
         {"unlit", no_argument, NULL, COMPILE_UNLIT}, {"drop-small", no_argument, NULL, COMPILE_DROP_SMALL},            \
@@ -76,7 +76,7 @@ struct compile_options {
         "fov", required_argument, NULL, COMPILE_FOV                                                                    \
     }
 enum compile_code {
-    COMPILE_NEAR = 2048,
+    COMPILE_NEAR = ORIENTATION_TWO_SIDED + 1,
     COMPILE_COORDINATES,
     COMPILE_UNLIT,
     COMPILE_DROP_SMALL,
@@ -87,8 +87,10 @@ enum compile_code {
     COMPILE_CODES_END
 };
 
-/* Whether it is one of these, and what it sets. text: its value, which is kept, if it has one. */
+/* Whether a code is one of these. */
 bool compile_options_know(int code);
+
+/* Sets what it is the code of. text: the option's value, or NULL; that of --splitter stays the caller's. */
 bool compile_options_take(int code, const char *text, struct compile_options *out, struct error *err);
 
 /* --path: reads a camera file, or a map's cameras. What was read before is freed. */

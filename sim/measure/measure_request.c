@@ -214,7 +214,7 @@ static bool *flag_of(int code, struct measure_request *out, bool *no_cost)
     }
 }
 
-/* One that has a value. */
+/* One that flag_of() does not know. */
 static bool parse_option(int code, char **argv, struct measure_request *out, struct error *err)
 {
     if (compile_options_know(code)) return compile_options_take(code, optarg, &out->compile, err);

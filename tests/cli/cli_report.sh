@@ -84,6 +84,8 @@ keeps_model_options() {
         tar -xOf "$work/made/plain.tar" report.txt | grep -x 'option: --no-textures' &&
         report_of small "$work/model/textured.obj" --texture-budget 1 --camera random:3:2 --size 24x24 &&
         tar -xOf "$work/made/small.tar" report.txt | grep -x 'option: --texture-budget=1' &&
+        ! "$limner" report-bug "$work/model/textured.obj" --sky "$(printf 'x\noption: --size=9x9')" -o "$work/none.tar" 2>"$work/err" &&
+        grep -qx 'limner: --sky=x: a report holds options of one line' "$work/err" && [ ! -e "$work/none.tar" ] &&
         ! "$limner" replay "$work/made/textured.tar" --doors ajar 2>"$work/err" && grep -q 'no such doors' "$work/err" &&
         change small 's/^option: --texture-budget=1$/option: --texture-budget=much/' && refused 'not a number'
 }
@@ -149,7 +151,7 @@ forged_options() {
         forged_option '--check=/etc/passwd' 'names no files' && forged_option '--camera=/etc/passwd' 'names no files' &&
         forged_option '--camera=cameras.cam' 'not in the report' && forged_option '--write-hashes=x' 'names no files' &&
         forged_option '--ids=../ids' 'names no files' && forged_option '--nonsense' 'no such option' &&
-        forged_option 'scene/glass.obj' 'is none' && forged_option '--trust-paths' 'trust-paths' &&
+        forged_option 'scene/glass.obj' 'is none' && forged_option '--trust-paths' 'trusts no paths' &&
         forged_option '--sky' 'is none\|no such option' && forged_option '--no-textures=yes' 'is none\|no such option' && [ ! -e "$work/stolen.gif" ]
 }
 

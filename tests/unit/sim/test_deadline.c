@@ -199,7 +199,7 @@ static void a_limit_that_is_not_reached_changes_nothing(void **state)
 static void time_may_end_anywhere_in_compiling(void **state)
 {
     enum { FEW = 100 };
-    const int ends = effort(24) < 10 ? 10 : effort(24);
+    const int ends = effort(40) < 10 ? 10 : effort(40);
     struct model model;
     struct compiled scene;
     struct error err;
