@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-enum { ERROR_B = 512 };
+enum { ERROR_B = 1024 };
 
 struct error {
     char text[ERROR_B]; /* one line, no newline, no program name in front */

@@ -83,7 +83,7 @@ static bool read_still(const char *path, const struct compile_options *options, 
     struct model model;
     *numbers = NULL;
     if (!model_read(path, &options->orientation, &model, err)) return false;
-    if (*model.notice) fprintf(stderr, "limner: %s: %s\n", path, model.notice);
+    model_tell(path, &model);
     if (!options->unlit) light_bake(&model);
     *movers = model.mover_count;
     *still = model;

@@ -237,7 +237,7 @@ static bool compile_all(const struct compile_request *request, struct compile_re
         result->count++;
         if (!moving_compile(request->models[i], &request->compile, &request->movers, &result->scenes[i], moving, err))
             return false;
-        if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", request->models[i], moving->model.notice);
+        model_tell(request->models[i], &moving->model);
         if (moving->count && !method_moves(result->scenes[i].report.draws, err)) return false;
         if (request->compile.near_m <= 0.0) lens_note_near(request->models[i], &result->scenes[i].grid);
         result->named[i] =

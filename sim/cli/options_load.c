@@ -47,7 +47,7 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
     }
     if (!moving) return compile_model(options->scene_path, &options->compile, scene, err);
     if (!moving_compile(options->scene_path, &options->compile, &options->movers, scene, moving, err)) return false;
-    if (*moving->model.notice) fprintf(stderr, "limner: %s: %s\n", options->scene_path, moving->model.notice);
+    model_tell(options->scene_path, &moving->model);
     return true;
 }
 

@@ -10,7 +10,6 @@
 #include "levels/level_walls.h"
 #include "scene.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -83,37 +82,27 @@ static void add_polygon(void *context, const int32_t (*points)[2], size_t count,
 
 /* Notices ------------------------------------------------------------------------------------ */
 
-__attribute__((format(printf, 2, 3))) static void note(struct model *model, const char *format, ...)
-{
-    char text[128];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    model_note(model, text);
-}
-
 static void note_sectors(const struct level_sectors *sectors, struct model *model)
 {
     if (sectors->crossing_count)
-        note(model, "lines that cross others: %zu, LINEDEFS %u among them; floors follow the others",
-             sectors->crossing_count, sectors->first_crossing);
+        model_note(model, "lines that cross others: %zu, LINEDEFS %u among them; floors follow the others",
+                   sectors->crossing_count, sectors->first_crossing);
     if (sectors->astray_count)
-        note(model, "lines that name a sector which is not there: %zu, LINEDEFS %u among them", sectors->astray_count,
-             sectors->first_astray);
+        model_note(model, "lines that name a sector which is not there: %zu, LINEDEFS %u among them",
+                   sectors->astray_count, sectors->first_astray);
     if (sectors->open_count)
-        note(model, "sectors that no lines close: %zu, SECTORS %u among them; they end somewhere", sectors->open_count,
-             sectors->first_open);
+        model_note(model, "sectors that no lines close: %zu, SECTORS %u among them; they end somewhere",
+                   sectors->open_count, sectors->first_open);
 }
 
 static void note_textures(const struct level_textures *textures, struct model *model)
 {
     if (textures->unknown_count)
-        note(model, "textures that are missing: %zu, %s among them; grey instead", textures->unknown_count,
-             textures->unknown);
+        model_note(model, "textures that are missing: %zu, %s among them; grey instead", textures->unknown_count,
+                   textures->unknown);
     if (textures->broken_count)
-        note(model, "parts of textures that are broken or missing: %zu, %s of %s among them", textures->broken_count,
-             textures->broken_part, textures->broken);
+        model_note(model, "parts of textures that are broken or missing: %zu, %s of %s among them",
+                   textures->broken_count, textures->broken_part, textures->broken);
 }
 
 /* -------------------------------------------------------------------------------------------- */
@@ -132,7 +121,8 @@ static bool add_faces(const struct level *level, struct level_move *moves, bool 
     model->is_interior = true;
     model->lattice_m = 1.0 / LEVEL_UNITS_A_M;
     note_sectors(&sectors, model);
-    if (importing.has_too_many) note(model, "doors and lifts beyond %d; they stay open, or down", LIM_INSTANCES_MAX);
+    if (importing.has_too_many)
+        model_note(model, "doors and lifts beyond %d; they stay open, or down", LIM_INSTANCES_MAX);
     note_textures(textures, model);
     level_sectors_free(&sectors);
     free(importing.corners);

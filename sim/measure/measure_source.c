@@ -109,7 +109,7 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
     if (!source->path) return error_set(err, "%s: out of memory", model_path);
     bool ok = model_read(model_path, &options->orientation, &model, err);
     ok = ok && source_take(model_path, &model, err);
-    if (ok && *model.notice) fprintf(stderr, "limner: %s: %s\n", model_path, model.notice);
+    if (ok) model_tell(model_path, &model);
     const bool moves = ok && model.mover_count > 0;
     if (ok && !options->unlit) light_bake(&model);
     if (ok && !moves)

@@ -68,14 +68,18 @@ struct model {
     bool is_interior;                   /* seen from within alone: no eye is meant to be where backs are seen */
     bool z_was_up, faces_were_reversed; /* by model_orientation.h; the file has them otherwise */
     char textures_became[192];          /* all of them, for --texture-budget, for people; empty: nothing */
-    char notice[512];                   /* what was left out, or is not as it should be, and why; empty: nothing */
+    char notice[8192]; /* lines of what was left out, or is not as it should be, and why; empty: nothing */
 };
 
 enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material nor vertex colours */
 
 void model_free(struct model *model);
 
-/* Adds to the notice. */
-void model_note(struct model *model, const char *text);
+/* Adds a line to the notice, printf-style, without a newline. One that does not fit is replaced by words that say so.
+ */
+void model_note(struct model *model, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Tells each line by notice(). */
+void model_tell(const char *path, const struct model *model);
 
 #endif

@@ -5,7 +5,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 
 static const double GRID_SPAN_UNITS = 65534, PARTS_OF_A_UNIT = 16;
 
@@ -18,12 +17,10 @@ double float_step_at(double magnitude)
 
 void float_step_note(struct model *model, double step_m)
 {
-    char text[sizeof model->notice];
     const double unit_m = extent_longest_side(model->points, model->corners, model->corner_count) / GRID_SPAN_UNITS;
     if (!(step_m * PARTS_OF_A_UNIT > unit_m)) return;
-    snprintf(text, sizeof text,
-             "its vertices come as float32 numbers, which are %.3g m apart as far out as they are: more than 1/16 of "
-             "the grid's unit of %.3g m",
-             step_m, unit_m);
-    model_note(model, text);
+    model_note(model,
+               "its vertices come as float32 numbers, which are %.3g m apart as far out as they are: more than 1/16 of "
+               "the grid's unit of %.3g m",
+               step_m, unit_m);
 }

@@ -329,9 +329,7 @@ static bool all_keep_scale(const struct aiScene *scene, const struct aiNode *nod
 /* Names a node of which something is left out, and why. */
 static void note(struct motions *work, const struct aiNode *node, const char *text)
 {
-    char line[sizeof work->model->notice];
-    snprintf(line, sizeof line, "node '%.100s'%s", node->mName.data, text);
-    model_note(work->model, line);
+    model_note(work->model, "node '%s'%s", node->mName.data, text);
 }
 
 static bool refuse(struct motions *work, const struct aiNode *node, const char *reason)

@@ -83,8 +83,7 @@ static bool place_points(const char *path, struct source *source, const struct m
 
 static void note_shared(struct model *model)
 {
-    static const char note[] = "the reference has the importer's vertices: it has no reader of its own for this file";
-    model_note(model, note);
+    model_note(model, "the reference has the importer's vertices: it has no reader of its own for this file");
 }
 
 bool source_take(const char *path, struct model *model, struct error *err)
