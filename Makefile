@@ -59,6 +59,7 @@ packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-
 packages-compilers     := clang
 packages-sanitize      := $(packages-host)
 packages-models        := assimp-testmodels
+packages-brought       := python3 python3-numpy python3-pil $(packages-models)
 packages-features      := clang
 packages-arm64         := libcmocka-dev gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-system-arm device-tree-compiler cpio
 packages-test-arm64    := $(packages-arm64)
@@ -359,6 +360,7 @@ suite-cross     := tests/cross.sh tests/cross_cplusplus.sh
 suite-compilers := tests/compilers.sh
 suite-sanitize  := $(wildcard tests/sanitize*.sh)
 suite-models    := tests/models.sh
+suite-brought   := $(wildcard tests/brought/brought_*.sh)
 suite-features  := tests/features_gcc.sh tests/features_clang.sh
 suite-sub-bits  := tests/sub_bits.sh
 suite-levels    := tests/levels.sh
@@ -419,7 +421,7 @@ tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
 tests/foreign.sh: tests-kernel $(kernel_programs) $(BUILD)/tests/foreign/card
 
-unknown := $(filter-out $(ALL_SUITES) slow prove arm64 fixed features sub-bits levels extremes soak,$(suites))
+unknown := $(filter-out $(ALL_SUITES) brought slow prove arm64 fixed features sub-bits levels extremes soak,$(suites))
 $(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits levels extremes))
 
 # By itself it draws all frames, in all suites a part of them.
