@@ -61,7 +61,9 @@ static bool has_help_option(int argc, char **argv)
 
 static int no_command(const char *name)
 {
-    fprintf(stderr, "limner: no command '%s'; `limner help` lists them\n", name);
+    const char *nearest = usage_nearest_command(name);
+    fprintf(stderr, "limner: no command '%s'%s%s%s; `limner help` lists them\n", name, nearest ? ", is it " : "",
+            nearest ? nearest : "", nearest ? "?" : "");
     return EXIT_FAILURE;
 }
 
@@ -87,7 +89,8 @@ static int run_command(const struct command *command, int argc, char **argv)
 {
     struct arguments arguments = {argv, argc};
     struct error err;
-    if (!command->is_long || (model_options_take(&arguments, &err) && begin_time(&arguments, &err)))
+    if (usage_check_options(command->name, argv + 1, &err) &&
+        (!command->is_long || (model_options_take(&arguments, &err) && begin_time(&arguments, &err))))
         return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);
     return EXIT_FAILURE;

@@ -3,6 +3,7 @@
  * What options of a command line set, and what follows from them: a method may need a tree of its own kind, or none. */
 #include "compiler/compile_options.h"
 
+#include "base/choice.h"
 #include "base/parse.h"
 #include "cameras/camera_choice.h"
 #include "core/core.h"
@@ -11,7 +12,7 @@
 
 #include <string.h>
 
-const char *const mesh_leaves_names[] = {"auto", "none", "all"};
+const char *const mesh_leaves_names[] = {"auto", "none", "all", NULL};
 
 /* Options --------------------------------------------------------------------------------------- */
 
@@ -24,23 +25,22 @@ static bool parse_tree(const char *text, struct compile_options *out, struct err
 
 static bool parse_mesh_leaves(const char *text, enum mesh_leaves *out, struct error *err)
 {
-    for (int i = 0; i <= MESH_LEAVES_ALL; i++) {
-        if (strcmp(text, mesh_leaves_names[i]) != 0) continue;
-        *out = (enum mesh_leaves)i;
-        return true;
-    }
-    return error_set(err, "--mesh-leaves %s: no such choice; there are auto, none and all", text);
+    size_t index;
+    if (!choice_find(&(struct choice){"--mesh-leaves", "choice", choice_in_array, mesh_leaves_names}, text, &index,
+                     err))
+        return false;
+    *out = (enum mesh_leaves)index;
+    return true;
 }
 
 static bool parse_coordinates(const char *text, enum coordinates *out, struct error *err)
 {
-    static const char *const names[] = {"auto", "16", "32"};
-    for (int i = 0; i <= COORDINATES_32; i++) {
-        if (strcmp(text, names[i]) != 0) continue;
-        *out = (enum coordinates)i;
-        return true;
-    }
-    return error_set(err, "--coordinates %s: no such choice; there are auto, 16 and 32", text);
+    static const char *const names[] = {"auto", "16", "32", NULL};
+    size_t index;
+    if (!choice_find(&(struct choice){"--coordinates", "choice", choice_in_array, names}, text, &index, err))
+        return false;
+    *out = (enum coordinates)index;
+    return true;
 }
 
 bool compile_options_know(int code)

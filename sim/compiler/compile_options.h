@@ -19,7 +19,7 @@ enum tree_trial { TRIAL_NEVER, TRIAL_IF_SPLIT, TRIAL_ALWAYS };
 /* Which dense parts become leaves whose order is by distance (mesh_leaf_choice.h). AUTO: those that pay. */
 enum mesh_leaves { MESH_LEAVES_AUTO, MESH_LEAVES_NONE, MESH_LEAVES_ALL };
 
-extern const char *const mesh_leaves_names[MESH_LEAVES_ALL + 1];
+extern const char *const mesh_leaves_names[MESH_LEAVES_ALL + 2]; /* and NULL */
 
 enum portals_wanted { PORTALS_OFF, PORTALS_AUTO, PORTALS_ON };
 

@@ -5,6 +5,7 @@
 
 #include "accuracy/moving_reference.h"
 #include "accuracy/predict.h"
+#include "base/choice.h"
 #include "base/grow.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
@@ -31,20 +32,21 @@ static const double GRID_END = 32767.0, AT_END_Q8 = 16777216.0, ORIGIN_END = 107
 bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *err)
 {
     static const char *const names[] = {
-        [MOVING_CLIPPED] = "clipped", [MOVING_BY_CENTRE] = "centre", [MOVING_OFF] = "off"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(text, names[i]) != 0) continue;
-        *out = (enum moving_mode)i;
-        return true;
-    }
-    return error_set(err, "--movers %s: no such way; there are clipped, centre and off", text);
+        [MOVING_CLIPPED] = "clipped", [MOVING_BY_CENTRE] = "centre", [MOVING_OFF] = "off", NULL};
+    size_t index;
+    if (!choice_find(&(struct choice){"--movers", "way", choice_in_array, names}, text, &index, err)) return false;
+    *out = (enum moving_mode)index;
+    return true;
 }
 
 bool moving_light_parse(const char *text, bool *out, struct error *err)
 {
-    *out = strcmp(text, "turning") == 0;
-    return *out || strcmp(text, "baked") == 0 ||
-           error_set(err, "--mover-light %s: no such light; there are baked and turning", text);
+    static const char *const names[] = {"baked", "turning", NULL};
+    size_t index;
+    if (!choice_find(&(struct choice){"--mover-light", "light", choice_in_array, names}, text, &index, err))
+        return false;
+    *out = index == 1;
+    return true;
 }
 
 /* The finest grid that holds the object. In a scene of many scales it may also be coarser. */

@@ -3,6 +3,8 @@
  * The methods. */
 #include "scene/method.h"
 
+#include "base/choice.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -23,16 +25,17 @@ const struct method methods[] = {
 };
 const size_t method_count = sizeof methods / sizeof *methods;
 
+static const char *name_at(const void *list, size_t index)
+{
+    const struct method *of = list;
+    return index < method_count ? of[index].name : NULL;
+}
+
 const struct method *method_parse(const char *text, struct error *err)
 {
-    char names[256];
-    size_t used = 0;
-    for (size_t i = 0; i < method_count; i++) {
-        if (strcmp(text, methods[i].name) == 0) return &methods[i];
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "", methods[i].name);
-    }
-    error_set(err, "--method %s: no such method; there are %s", text, names);
-    return NULL;
+    size_t index;
+    return choice_find(&(struct choice){"--method", "method", name_at, methods}, text, &index, err) ? &methods[index]
+                                                                                                    : NULL;
 }
 
 static const struct method *first_of(enum lim_method draws)
