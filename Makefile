@@ -301,7 +301,7 @@ run: $(BUILD)/limner $(demo) ## [start] compile and render the demo scene into o
 	$(LIVE)mkdir -p out
 	$(LIVE)$(BUILD)/limner compile $(BUILD)/scenes/demo.obj -o out/demo
 	$(LIVE)$(BUILD)/limner render $(BUILD)/scenes/demo.obj --camera $(BUILD)/scenes/demo.cam --size 240x240 \
-		-o 'out/%03d.png' --gif out/demo.gif --sheet out/sheet.png --stats --compare
+		-o 'out/%03d.png' --gif out/demo.gif --sheet out/sheet.png --stats --compare --brief
 	$(LIVE)echo "The pictures: out/sheet.png (all at once) and out/demo.gif (moving)"
 
 view: $(BUILD)/limner $(demo) ## [start] fly through the demo scene in a window

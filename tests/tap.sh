@@ -9,6 +9,9 @@
 : "${CCACHE=$(sh sim/tools/compiler_cache.sh)}"
 export CCACHE # limner measure compiles, too
 
+# What is said does not hang on how busy the machine is.
+export LIMNER_PROGRESS=0
+
 # A make that a test starts shares nothing with the make that started the test.
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 

@@ -4,6 +4,7 @@
 #include "base/deadline.h"
 
 #include "base/parse.h"
+#include "base/progress.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -55,6 +56,7 @@ bool deadline_is_set(void)
 
 bool deadline_passed(void)
 {
+    progress_beat();
     return !isinf(end_s) && clock_now_s() >= end_s;
 }
 

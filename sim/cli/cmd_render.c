@@ -282,26 +282,23 @@ static bool is_predictable(const struct render *render)
 
 static void print_tables(const struct render *render)
 {
+    const struct frame_rows rows = {render->rows, render->path.count, render->options.brief};
     if (render->options.stats) {
         printf("%ux%u pixels, ", render->options.setup.w_px, render->options.setup.h_px);
         if (render->simulator.board)
             printf("through the emulated %s\n", render->simulator.board->name);
         else
             puts("into plain memory: no emulated panel, nothing sent on a bus");
-        frame_table_print_stats(render->rows, render->path.count, stdout);
-        if (is_predictable(render))
-            frame_table_print_predicted(render->rows, render->path.count, &render->simulator.target, stdout);
-        if (render->options.setup.method == LIM_NEWELL)
-            frame_table_print_newell(render->rows, render->path.count, stdout);
+        frame_table_print_stats(&rows, stdout);
+        if (is_predictable(render)) frame_table_print_predicted(&rows, &render->simulator.target, stdout);
+        if (render->options.setup.method == LIM_NEWELL) frame_table_print_newell(&rows, stdout);
     }
-    if (render->options.stats && render->moving.count)
-        frame_table_print_movers(render->rows, render->path.count, stdout);
-    if (render->options.stats && render->options.delta_runs)
-        frame_table_print_delta(render->rows, render->path.count, stdout);
-    if (render->options.compare) frame_table_print_compare(render->rows, render->path.count, stdout);
+    if (render->options.stats && render->moving.count) frame_table_print_movers(&rows, stdout);
+    if (render->options.stats && render->options.delta_runs) frame_table_print_delta(&rows, stdout);
+    if (render->options.compare) frame_table_print_compare(&rows, stdout);
     if (render->options.compare && render->options.compile.antialias && render->moving.count)
         puts("edges: not compared where objects move");
-    if (measures_edges(render)) frame_table_print_edges(render->rows, render->path.count, stdout);
+    if (measures_edges(render)) frame_table_print_edges(&rows, stdout);
 }
 
 /* Checks come last: a frame that differs is worth looking at, so the files stay. */

@@ -17,6 +17,7 @@
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { ORBIT_FRAMES = 16, UNSAID_SIZE_PX = 240, MOST_RUNS = 60000, MOST_FRAMES = 100000 };
 
@@ -26,6 +27,7 @@ enum option_code {
     OPTION_SHEET,
     OPTION_IDS,
     OPTION_STATS,
+    OPTION_BRIEF,
     OPTION_COMPARE,
     OPTION_CHECK,
     OPTION_WRITE_HASHES,
@@ -50,12 +52,13 @@ enum option_code {
 };
 
 /* Those that only `render` has come first. */
-enum { RENDER_ONLY_OPTIONS = 15 };
+enum { RENDER_ONLY_OPTIONS = 16 };
 static const struct option OPTIONS[] = {
     {"gif", required_argument, NULL, OPTION_GIF},
     {"sheet", required_argument, NULL, OPTION_SHEET},
     {"ids", required_argument, NULL, OPTION_IDS},
     {"stats", no_argument, NULL, OPTION_STATS},
+    {"brief", no_argument, NULL, OPTION_BRIEF},
     {"compare", no_argument, NULL, OPTION_COMPARE},
     {"check", required_argument, NULL, OPTION_CHECK},
     {"write-hashes", required_argument, NULL, OPTION_WRITE_HASHES},
@@ -161,6 +164,8 @@ static bool *flag_of(int code, struct options *out)
         return &out->compile.antialias;
     case OPTION_STATS:
         return &out->stats;
+    case OPTION_BRIEF:
+        return &out->brief;
     case OPTION_COMPARE:
         return &out->compare;
     default:
@@ -189,6 +194,18 @@ static const char **text_of(int code, struct options *out)
     }
 }
 
+/* One GIF is all frames. */
+static bool parse_out(const char *text, struct options *out, struct error *err)
+{
+    const char *suffix = strrchr(text, '.');
+    if (suffix && strcasecmp(suffix, ".gif") == 0 && output_is_one(text)) {
+        out->gif_path = text;
+        return true;
+    }
+    out->frame_pattern = text;
+    return parse_picture_path("-o", text, ".png", err) && (output_is_one(text) || output_pattern_check(text, err));
+}
+
 static bool parse_option(int code, const char *text, struct options *out, struct error *err)
 {
     bool *const flag = flag_of(code, out);
@@ -197,7 +214,8 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     if (compile_options_know(code)) return compile_options_take(code, text, &out->compile, err);
     if (kept) {
         *kept = text;
-        return true;
+        return (code != OPTION_GIF || parse_picture_path("--gif", text, ".gif", err)) &&
+               (code != OPTION_SHEET || parse_picture_path("--sheet", text, ".png", err));
     }
     switch (code) {
     case OPTION_CAMERA:
@@ -236,8 +254,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     case OPTION_TOLERANCE:
         return parse_tolerance(text, &out->compile.tolerance_units, err);
     case OPTION_OUT:
-        out->frame_pattern = text;
-        return output_is_one(text) || output_pattern_check(text, err);
+        return parse_out(text, out, err);
     default:
         return false;
     }

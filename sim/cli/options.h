@@ -27,7 +27,7 @@ struct options {
     /* limner render only; NULL or false: not asked for */
     const char *frame_pattern, *gif_path, *sheet_path, *ids_path, *check_path, *hashes_path, *cameras_path;
     const char *overlay_text; /* over each frame */
-    bool stats, compare;
+    bool stats, compare, brief;
     struct lim_newell_options newell;
     struct moving_options movers;
     double frames_per_s;      /* of what moves */

@@ -217,7 +217,8 @@ static const struct usage_entry ENTRIES[] = {
      "                      renderer paints into polygon by polygon\n"},
     {0, "render only:\n"},
     {RENDER, "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for), or house.png: "
-             "one frame\n"},
+             "one frame;\n"
+             "                      house.gif: as --gif\n"},
     {RENDER | REPORT_BUG,
      "  --ram BYTES         the renderer's memory, or P% of what its pools would take: with less of it frames cost\n"
      "                      more (--stats), and are the same\n"
@@ -231,6 +232,7 @@ static const struct usage_entry ENTRIES[] = {
     {RENDER | REPORT_BUG,
      "  --overlay TEXT      a text over each frame, as firmware draws it; each # in it becomes the frame's number\n"},
     {RENDER | REPORT_BUG, "  --stats             what each frame cost\n"},
+    {RENDER | REPORT_BUG, "  --brief             --stats and --compare without a line a frame: mean and worst\n"},
     {RENDER | REPORT_BUG,
      "  --newell LIST       planes: compare with planes before rectangles; one: split one of two;\n"
      "                      most=N: at most so many comparisons a frame (256 times the square of the polygons)\n"},
@@ -345,7 +347,10 @@ static const struct usage_entry ENTRIES[] = {
     {MODELS | REPLAY | WALK,
      "  --time-limit SECONDS  then the best so far counts, said as such; nothing yet is an error (600, or\n"
      "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly\n"},
-    {0, "environment, render and view:\n"},
+    {0, "environment:\n"},
+    {MODELS | REPLAY | WALK,
+     "  LIMNER_PROGRESS=10  seconds between lines of what long work does, where standard error is no terminal (10;\n"
+     "                      0: none)\n"},
     {RENDER | VIEW, "  LIMNER_DUMP=x.png   write the last frame shown\n"},
     {RENDER | VIEW, "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n"},
     {VIEW, "  LIMNER_UNSEEN=1     view: SDL's video drivers dummy and offscreen, which show nothing, do for a window\n"
