@@ -328,4 +328,15 @@ else
     tap_skip "view in a window shows the first frame" "built without SDL2"
 fi
 
+names_mean_what_they_say() {
+    "$limner" render pyramid.obj --frames 2 -o walk.gif && [ "$(head -c 4 walk.gif)" = GIF8 ] && [ ! -e out ] && rm walk.gif
+}
+tap_check "-o NAME.gif is an animation" names_mean_what_they_say
+refuse "a GIF is no PNG by its name" '^limner: --gif x\.png: it writes gif files; name it x\.gif$' render pyramid.obj --gif x.png
+refuse "a PNG is no JPEG by its name" "^limner: -o x\.jpg: it writes png files; name it x\.png$" render pyramid.obj -o x.jpg
+brief_tables() {
+    "$limner" render pyramid.obj --frames 9 --stats >all && "$limner" render pyramid.obj --frames 9 --stats --brief >some &&
+        sed '/^ *[0-9][0-9]* /d' all | diff - some && [ "$(wc -l <some)" -lt "$(wc -l <all)" ]
+}
+tap_check "--brief leaves out the frames' lines" brief_tables
 tap_done
