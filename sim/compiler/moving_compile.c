@@ -13,6 +13,7 @@
 #include "compiler/texture_budget.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
+#include "readers/import_motion.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
 #include "scene.h"
@@ -308,7 +309,8 @@ static void stop_movers(struct moving *moving)
     struct model *model = &moving->model;
     for (size_t i = 0; i < model->face_count; i++)
         model->faces[i].mover = 0;
-    moving->stopped = model->mover_count;
+    moving->stopped = model->mover_count + model->is_stopped;
+    if (moving->stopped) model_note(model, "what is animated stands still where the file has it");
     model->mover_count = model->key_count = 0;
 }
 
@@ -325,6 +327,7 @@ bool moving_compile(const char *path, const struct compile_options *options, con
 {
     struct model model;
     *moving = (struct moving){0};
+    motions_leave_out(movers->mode == MOVING_OFF);
     if (!model_read(path, &options->orientation, &model, err)) return false;
     if (options->predict && !source_take(path, &model, err)) {
         model_free(&model);
