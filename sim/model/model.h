@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "model/mipmap.h"
+#include "model/source_motion.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -44,12 +45,14 @@ struct model_mover {
     enum model_kind kind;
     struct model_pose rest; /* where `points` have it */
     uint32_t first_key, key_count;
+    uint32_t node; /* its number in the file, from 1; 0: the format has none */
 };
 
 struct model {
     double (*points)[3]; /* metres, y up, right-handed, node transforms applied; some may be unused */
     double (*uvs)[2]; /* of each point, in pictures, across from the left and down from the top; NULL: there are none */
     double (*source_points)[3]; /* the points as the reference's own reader has them (source.h); NULL: not read by it */
+    struct source_motion *source_motion; /* likewise what moves; NULL: keys are all that is known */
     size_t point_count;
     uint32_t *corners; /* indices into points */
     size_t corner_count;

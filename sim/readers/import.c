@@ -129,8 +129,7 @@ static void note_step(struct import *import, const double v[3])
         double step_m = 0;
         for (int i = 0; i < 3 && !is_double; i++)
             step_m += fabs(m[axis][i]) * float_step_at(fabs(v[i]));
-        if (!is_double && !import->transforms.are_double && m[axis][3] != 0)
-            step_m += float_step_at(fabs(m[axis][3]));
+        if (!is_double && !import->transforms.are_double && m[axis][3] != 0) step_m += float_step_at(fabs(m[axis][3]));
         import->step_m = fmax(import->step_m, step_m);
     }
 }

@@ -49,8 +49,19 @@ static double most_of(const struct track *track, enum node_part part)
 /* Whether the node, above all of it, does not stay where it is. */
 static bool moves(const struct node_motion *motion)
 {
-    return motion && (motion->tracks[PART_AT].count || motion->tracks[PART_TURN].count ||
-                      motion->tracks[PART_SCALE].count);
+    return motion &&
+           (motion->tracks[PART_AT].count || motion->tracks[PART_TURN].count || motion->tracks[PART_SCALE].count);
+}
+
+/* A decimal that became a float32 is still the decimal. */
+static bool differs(const double own[4], const double kept[4], unsigned width)
+{
+    double apart = 0, most = 0;
+    for (unsigned i = 0; i < width; i++) {
+        apart = fmax(apart, fabs(kept[i] - own[i]));
+        most = fmax(most, fabs(kept[i]));
+    }
+    return apart > 2e-7 * most;
 }
 
 /* Such tracks become the node's own parts. What is left of tracks changes. */
@@ -60,9 +71,13 @@ static void settle(struct node_motion *motion, struct node_transforms *transform
     for (int part = 0; part < PART_COUNT; part++) {
         struct track *track = &motion->tracks[part];
         if (!track->count || track_changes(track, most_of(track, (enum node_part)part))) continue;
-        track_at(track, 0, 0, motion->own[part]);
+        double kept[4] = {0};
+        track_at(track, 0, 0, kept);
+        if (differs(motion->own[part], kept, track->width)) {
+            memcpy(motion->own[part], kept, sizeof kept);
+            is_set = true;
+        }
         track_free(track);
-        is_set = true;
     }
     if (!is_set || motion->is_sheared) return;
     struct node_motion still = *motion;
@@ -127,7 +142,7 @@ static bool add_mover(struct motions *work, const struct aiNode *node, struct er
     work->movers[model->mover_count] = node;
     model->movers = grow(model->movers, model->mover_count, &work->mover_capacity, sizeof *model->movers);
     struct model_mover *mover = &model->movers[model->mover_count++];
-    *mover = (struct model_mover){0};
+    *mover = (struct model_mover){.node = node_transforms_number(work->transforms, node)};
     snprintf(mover->name, sizeof mover->name, "%.*s", MODEL_NAME_B - 1, node->mName.data);
     *map_at(&work->places, (uintptr_t)node, 0) = (uint32_t)model->mover_count;
     return true;

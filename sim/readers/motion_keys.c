@@ -29,8 +29,8 @@ struct sampling {
     const struct aiNode *node;
     struct link *links; /* from above */
     size_t link_count;
-    double unrest[3][4];       /* rows: the inverse of what the node does at rest, without its place */
-    double rest_axes[3][3];    /* of the mover's own coordinates */
+    double unrest[3][4];    /* rows: the inverse of what the node does at rest, without its place */
+    double rest_axes[3][3]; /* of the mover's own coordinates */
     double tolerance_m, reach_m;
     struct model_key *keys;
     size_t count, capacity;
@@ -183,10 +183,11 @@ static bool add_key(struct sampling *work, double time_s, const struct model_pos
         return true;
     }
     if (work->count == LIMIT_KEYS)
-        return error_set(work->err,
-                         "%s: node '%s': its animation takes more than %d keys; a shorter one helps, one whose keys are "
-                         "joined by lines, or --movers off",
-                         work->from->path, work->node->mName.data, LIMIT_KEYS);
+        return error_set(
+            work->err,
+            "%s: node '%s': its animation takes more than %d keys; a shorter one helps, one whose keys are "
+            "joined by lines, or --movers off",
+            work->from->path, work->node->mName.data, LIMIT_KEYS);
     work->keys = grow(work->keys, work->count, &work->capacity, sizeof *work->keys);
     work->keys[work->count++] = (struct model_key){time_s, *pose};
     return true;
@@ -301,8 +302,7 @@ static bool add_moment(struct sampling *work, const struct moment *moment, const
     if (!before || apart_m(work, before, after) <= 0.95 * work->tolerance_m)
         return add_key(work, moment->first_s, after);
     const double end_s = ceil(moment->last_s / TICK_S - FLOAT_TICKS) * TICK_S;
-    if (tick_of(end_s - TICK_S) > tick_of(work->keys[work->count - 1].time_s) &&
-        !add_key(work, end_s - TICK_S, before))
+    if (tick_of(end_s - TICK_S) > tick_of(work->keys[work->count - 1].time_s) && !add_key(work, end_s - TICK_S, before))
         return false;
     return add_key(work, end_s, after);
 }

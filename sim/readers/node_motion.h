@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a file's animations say of its nodes, whoever reads them (motion_gltf.c, motion_assimp.c): tracks of translation,
- * rotation and scale. A node's own transform is translation * rotation * scale; tracks replace these, one by one. All
- * animations run at once: of several tracks of one property that which changes counts, and of these the first. */
+ * What a file's animations say of its nodes, whoever reads them (motion_gltf.c, motion_assimp.c): tracks of
+ * translation, rotation and scale. A node's own transform is translation * rotation * scale; tracks replace these, one
+ * by one. All animations run at once: of several tracks of one property that which changes counts, and of these the
+ * first. */
 #ifndef SIM_NODE_MOTION_H
 #define SIM_NODE_MOTION_H
 

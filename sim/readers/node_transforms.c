@@ -88,7 +88,9 @@ static bool pair(struct pairing *work, const struct aiNode *node, const json_t *
         return error_set(work->err, "%s: node '%s': its transform is beyond float32, or not a transform", work->path,
                          node->mName.data);
     node_transform_set(work->out, node, &file);
-    *map_at(&work->out->file_nodes, number, 0) = *map_find(&work->out->places, (uintptr_t)node);
+    const uint32_t place = *map_find(&work->out->places, (uintptr_t)node);
+    *map_at(&work->out->file_nodes, number, 0) = place;
+    work->out->nodes[place - 1].number = (uint32_t)number + 1;
     return pair_all(work, node->mChildren, node->mNumChildren, json_object_get(own, "children"));
 }
 
@@ -139,15 +141,23 @@ const struct aiNode *node_transforms_node(const struct node_transforms *transfor
     return place ? transforms->nodes[*place - 1].node : NULL;
 }
 
+uint32_t node_transforms_number(const struct node_transforms *transforms, const struct aiNode *node)
+{
+    const uint32_t *place = map_find(&transforms->places, (uintptr_t)node);
+    return place ? transforms->nodes[*place - 1].number : 0;
+}
+
 void node_transform_set(struct node_transforms *transforms, const struct aiNode *node, const struct node_transform *own)
 {
     uint32_t *place = map_at(&transforms->places, (uintptr_t)node, 0);
     if (!*place) {
         transforms->nodes =
             grow(transforms->nodes, transforms->count, &transforms->capacity, sizeof *transforms->nodes);
+        transforms->nodes[transforms->count] = (struct placed_node){.number = 0};
         *place = (uint32_t)++transforms->count;
     }
-    transforms->nodes[*place - 1] = (struct placed_node){node, *own};
+    transforms->nodes[*place - 1].node = node;
+    transforms->nodes[*place - 1].own = *own;
 }
 
 void node_transforms_free(struct node_transforms *transforms)

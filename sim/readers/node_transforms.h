@@ -18,6 +18,7 @@ struct node_transform {
 struct placed_node {
     const struct aiNode *node;
     struct node_transform own;
+    uint32_t number; /* in a glTF file, from 1; 0: it has none */
 };
 
 struct node_transforms {
@@ -39,6 +40,9 @@ struct node_transform node_transform_of(const struct node_transforms *transforms
 
 /* The library's node for a glTF file's number of one; NULL: the scene that is shown has none. */
 const struct aiNode *node_transforms_node(const struct node_transforms *transforms, size_t number);
+
+/* The other way, from 1; 0: it is in no such file. */
+uint32_t node_transforms_number(const struct node_transforms *transforms, const struct aiNode *node);
 
 /* From here on the node is there. */
 void node_transform_set(struct node_transforms *transforms, const struct aiNode *node,

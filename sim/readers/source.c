@@ -35,6 +35,7 @@ void source_free(struct source *source)
 {
     free(source->counts);
     free(source->corners);
+    source_motion_free(&source->motion);
     *source = (struct source){0};
 }
 
@@ -86,6 +87,14 @@ static void note_shared(struct model *model)
     model_note(model, "the reference has the importer's vertices: it has no reader of its own for this file");
 }
 
+static void take_motion(struct source *source, struct model *model)
+{
+    if (!source->motion.count || !model->mover_count) return;
+    model->source_motion = grow_zeroed(1, sizeof *model->source_motion);
+    *model->source_motion = source->motion;
+    source->motion = (struct source_motion){0};
+}
+
 bool source_take(const char *path, struct model *model, struct error *err)
 {
     struct source source = {0};
@@ -101,6 +110,7 @@ bool source_take(const char *path, struct model *model, struct error *err)
             model->source_points = points;
         else
             free(points);
+        if (ok) take_motion(&source, model);
     }
     source_free(&source);
     return ok;
