@@ -8,6 +8,7 @@
 #include "base/grow.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
+#include "compiler/moving_frame.h"
 #include "compiler/order_choice.h"
 #include "compiler/pool_sizes.h"
 #include "compiler/texture_budget.h"
@@ -277,9 +278,7 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
     own.predict = false; /* all parts together are */
     model_part(&moving->model, 0, true, &part, &numbers);
-    bool ok =
-        part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
-    ok = ok && compile_part(&part, NULL, &own, scene, err) && may_move(scene, own.tree, err);
+    bool ok = compile_part(&part, NULL, &own, scene, err) && may_move(scene, own.tree, err);
     if (ok) number_faces(scene, numbers);
     model_free(&part);
     free(numbers);
@@ -342,6 +341,7 @@ bool moving_compile_model(const struct model *model, const struct compile_option
 {
     *moving = (struct moving){.model = *model};
     if (movers->mode == MOVING_OFF) stop_movers(moving);
+    moving_frame_add(&moving->model, options->background);
     if (movers->light && !options->unlit) keep_movers_unlit(moving, options->mono);
     compile_options_light(options, &moving->model);
     if (!texture_budget_apply(&moving->model, options, err)) return false;

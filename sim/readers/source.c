@@ -59,10 +59,11 @@ static bool place_points(const char *path, struct source *source, const struct m
                          struct error *err)
 {
     double(*corner)[3] = source->corners;
-    if (source->face_count != model->face_count)
-        return error_set(err, "%s: the importer finds %zu faces in it, the reference's reader %zu", path,
-                         model->face_count, source->face_count);
-    for (size_t i = 0; i < model->face_count; i++) {
+    const size_t face_count = model->face_count - model->made_faces;
+    if (source->face_count != face_count)
+        return error_set(err, "%s: the importer finds %zu faces in it, the reference's reader %zu", path, face_count,
+                         source->face_count);
+    for (size_t i = 0; i < face_count; i++) {
         const struct model_face *face = &model->faces[i];
         if (source->counts[i] != face->count)
             return error_set(err, "%s: face %zu: the importer finds %u corners, the reference's reader %u", path, i + 1,
