@@ -215,6 +215,16 @@ static void note_numbers(const struct moving *moving, struct compiled *scene)
                  "too many textured polygons: where all that moves is in view, some of it shows colours");
 }
 
+/* Trees with leaves order such objects piece by piece. */
+static void note_crowd(struct moving *moving, const struct compiled *scene)
+{
+    if (moving->crowded > 0)
+        model_note(&moving->model,
+                   "objects that move pass through each other in a crowd: in %.2g %% of sampled views some of them may "
+                   "be wrong, with holes; %s helps",
+                   100 * moving->crowded, scene->grid.is_long ? "--movers off" : "--tree clusters");
+}
+
 static void limits_set(struct moving *moving)
 {
     size_t polygons = 0;
@@ -297,9 +307,10 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
         note_untextured(&moving->model, i, &scene->report);
     if (is_textured) note_numbers(moving, scene);
     limits_set(moving);
-    return !method_can_move(own.method->draws) || /* refused where they are to be drawn */
-           (pools_measure_moving(scene, moving, options->core, err) &&
-            order_choose_moving(scene, moving, options, err) &&
+    if (!method_can_move(own.method->draws)) return true; /* refused where they are to be drawn */
+    if (!pools_measure_moving(scene, moving, options->core, err)) return false;
+    note_crowd(moving, scene);
+    return (order_choose_moving(scene, moving, options, err) &&
             (!options->predict || predict_parts(moving, options->core, scene, err)));
 }
 
