@@ -210,12 +210,11 @@ static void tell_nodes(struct motions *work)
         const bool shows = has_mesh(motion->node);
         if (!has_keys(motion))
             count(&empty, motion);
-        else if (motion->is_skin && !shows)
+        else if (motion->is_skin)
             count(&joints, motion);
         else if (!shows)
             count(&bare, motion);
-        else if (motion->is_twice)
-            count(&twice, motion);
+        if (shows && motion->is_twice) count(&twice, motion);
     }
     tell(work->model, &empty, "stands still: its animation has no keys", "stand still: their animations have no keys");
     tell(work->model, &joints, "is animated and moves a skin: that is drawn at rest",

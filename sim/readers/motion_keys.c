@@ -14,7 +14,7 @@
 #include <string.h>
 
 static const double SHEAR_MAX = 1e-4; /* cosine between axes, and how uneven their lengths may become */
-static const double TICK_S = 0.001;
+static const double TICK_S = 0.001, BETWEEN_PROBES = 0.8;
 
 enum { LIMIT_KEYS = UINT16_MAX, PROBES_A_LINK = 8 };
 
@@ -213,7 +213,7 @@ static struct model_pose pose_between(const struct model_key *a, const struct mo
     return pose;
 }
 
-/* The error between probes is that at probes by a 50th more, which the tolerance holds back. */
+/* Between probes the error may be larger than at any of them; a part of the tolerance is held back for that. */
 static bool is_near_enough(const struct sampling *work, const struct model_key *a, const struct model_key *b,
                            double within_s, bool *near)
 {
@@ -224,7 +224,7 @@ static bool is_near_enough(const struct sampling *work, const struct model_key *
         const struct model_pose joined = pose_between(a, b, t);
         struct model_pose pose;
         if (!pose_within(work, a->time_s + t * (b->time_s - a->time_s), within_s, &pose)) return false;
-        *near = apart_m(work, &joined, &pose) <= 0.95 * work->tolerance_m;
+        *near = apart_m(work, &joined, &pose) <= BETWEEN_PROBES * work->tolerance_m;
     }
     return true;
 }
@@ -293,33 +293,56 @@ static void note_step(const struct sampling *work, double time_s)
     }
 }
 
-/* From what is before a moment to what is behind it. A jump ends in the first whole millisecond in which the file has
- * all of it, but for what float32 adds to a decimal. */
-static bool add_moment(struct sampling *work, const struct moment *moment, const struct model_pose *before,
-                       const struct model_pose *after)
+/* When keys stand for a moment: one, or two where the motion jumps. That ends in the first whole millisecond in which
+ * the file has all of it, but for what float32 adds to a decimal. */
+struct turning {
+    double left_s, right_s;
+    bool jumps;
+};
+
+static bool find_turning(const struct sampling *work, const struct moment *moment, double within_before_s,
+                         double within_after_s, struct turning *out)
 {
-    static const double FLOAT_TICKS = 0.01;
-    if (!before || apart_m(work, before, after) <= 0.95 * work->tolerance_m)
-        return add_key(work, moment->first_s, after);
-    const double end_s = ceil(moment->last_s / TICK_S - FLOAT_TICKS) * TICK_S;
-    if (tick_of(end_s - TICK_S) > tick_of(work->keys[work->count - 1].time_s) && !add_key(work, end_s - TICK_S, before))
+    static const double FLOAT_TICKS = 0.01, SAME = 1e-3;
+    struct model_pose before, after;
+    *out = (struct turning){moment->first_s, moment->first_s, false};
+    if (!pose_within(work, moment->first_s, within_before_s, &before) ||
+        !pose_within(work, moment->last_s, within_after_s, &after))
         return false;
-    return add_key(work, end_s, after);
+    if (apart_m(work, &before, &after) <= SAME * work->tolerance_m) return true;
+    const double end_s = ceil(moment->last_s / TICK_S - FLOAT_TICKS) * TICK_S;
+    *out = (struct turning){end_s - TICK_S, end_s, true};
+    return true;
+}
+
+/* The way from the last key to a moment; of a jump the key before it, too, unless the last one is as late. */
+static bool add_stretch(struct sampling *work, double left_s, bool is_key, double within_s)
+{
+    const struct model_key *last = work->count ? &work->keys[work->count - 1] : NULL;
+    struct model_key to = {.time_s = left_s};
+    if (last ? tick_of(left_s) <= tick_of(last->time_s) : !is_key || left_s < 0) return true;
+    if (!pose_within(work, left_s, within_s, &to.pose)) return false;
+    if (last) {
+        const struct model_key from = *last;
+        if (!add_between(work, &from, &to, within_s)) return false;
+    }
+    return !is_key || add_key(work, left_s, &to.pose);
 }
 
 static bool add_keys(struct sampling *work, const struct moment *moments, size_t count)
 {
-    struct model_pose before, after;
+    double before_s = moments[0].first_s - 1;
     for (size_t i = 0; i < count; i++) {
-        const struct moment *moment = &moments[i], *next = &moments[i + 1];
-        const double within_s = i + 1 < count ? (moment->last_s + next->first_s) / 2 : moment->last_s + 1;
-        if (!pose_within(work, moment->last_s, within_s, &after)) return false;
-        if (!add_moment(work, moment, i ? &before : NULL, &after)) return false;
+        const struct moment *moment = &moments[i];
+        const double after_s = i + 1 < count ? (moment->last_s + moments[i + 1].first_s) / 2 : moment->last_s + 1;
+        struct turning turning;
+        struct model_pose pose;
+        if (!find_turning(work, moment, before_s, after_s, &turning) ||
+            !add_stretch(work, turning.left_s, turning.jumps, before_s) ||
+            !pose_within(work, turning.right_s, after_s, &pose) || !add_key(work, turning.right_s, &pose))
+            return false;
         note_step(work, moment->last_s);
-        if (i + 1 == count) break;
-        if (!pose_within(work, next->first_s, within_s, &before)) return false;
-        const struct model_key from = {moment->last_s, after}, to = {next->first_s, before};
-        if (!add_between(work, &from, &to, within_s)) return false;
+        before_s = after_s;
     }
     return true;
 }

@@ -17,8 +17,8 @@ struct motion_keys {
 };
 
 /* What the keys may be wrong between their times, as the way that any point of the mover is off: 1/1024 of how far the
- * mover reaches from its node's origin, or half a unit of the scene's grid if that is more. Where the motion jumps, it
- * does so within the millisecond before. */
+ * mover reaches from its node's origin, or half a unit of the scene's grid if that is more; but no two keys
+ * lie nearer than a millisecond. Where the motion jumps, it does so within the millisecond before. */
 double motion_keys_tolerance_m(const struct model *model, size_t mover);
 
 /* Sets the place at rest and the keys of model->movers[mover], which is the node. Refuses, by name, motion that is not
