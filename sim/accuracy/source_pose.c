@@ -33,7 +33,8 @@ bool source_pose(const struct model *model, size_t mover, double time_s, struct 
     const struct model_mover *of = &model->movers[mover];
     if (!motion || !of->node || of->node > motion->count) return false;
     const size_t node = of->node - 1;
-    const double now_s = motion->end_s > 0 ? fmod(time_s, motion->end_s) : time_s;
+    const double length_s = round(motion->end_s * 1000) / 1000; /* firmware begins again in whole milliseconds */
+    const double now_s = length_s > 0 ? fmod(time_s, length_s) : time_s;
     double rest[3][3], now[3][3], axes[3][3], turned[3][3];
     columns_at(model, node, NAN, rest);
     columns_at(model, node, now_s, now);

@@ -124,7 +124,9 @@ static bool motion_set(const struct model *model, size_t index, const struct gri
     for (uint32_t i = 0; i < mover->key_count; i++)
         if (!key_set(&model->keys[mover->first_key + i], grid, &object->keys[i],
                      grid->is_long ? &object->origins[i] : NULL))
-            return error_set(err, "node '%s': it moves farther than twice the scene's size", mover->name);
+            return error_set(err, "node '%s': it moves too far for coordinates of %d bits; %s--movers off helps",
+                             mover->name, grid->is_long ? 32 : 16,
+                             grid->is_long ? "" : "--coordinates 32, a ground in the scene or ");
     for (uint32_t i = 0; i + 1 < mover->key_count; i++)
         arc_set(&object->keys[i], &object->keys[i + 1]);
     object->motion = (struct lim_motion){
@@ -158,9 +160,10 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     own.portals = PORTALS_OFF;
     memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
     model_part(&moving->model, index + 1, !moving->light.on, &part, &numbers);
-    bool ok = object_grid(scene_grid, &part, &grid, instance) ||
-              error_set(err, "its mesh reaches farther from the node's origin than the scene that it moves in is "
-                             "large; a ground in the scene helps, or --movers off");
+    bool ok =
+        object_grid(scene_grid, &part, &grid, instance) ||
+        error_set(err, "its mesh is too large beside what stands still; --coordinates 32, a ground in the scene or "
+                       "--movers off helps");
     ok = ok && compile_part(&part, &grid, &own, &object->scene, err);
     if (ok) number_faces(&object->scene, numbers);
     if (!ok) {

@@ -8,18 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FACES = 2, CORNERS = 3, SIZE_PARTS = 1024 };
+enum { FACES = 2, CORNERS = 3, SIZE_PARTS = 8192, MOST_WIDER = 16 };
+
+static const double ROOM = 1.001; /* so that rounding keeps what just fits */
 
 struct box {
     double low_m[3], high_m[3];
 };
-
-static bool stands_still(const struct model *model)
-{
-    for (size_t i = 0; i < model->face_count; i++)
-        if (!model->faces[i].mover) return true;
-    return false;
-}
 
 static const struct box EMPTY = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 
@@ -43,14 +38,72 @@ static struct box own_box(const struct model *model, size_t mover)
     return box;
 }
 
-/* A mover's box goes where its keys are. */
-static struct box swept_box(const struct model *model)
+static struct box still_box(const struct model *model)
 {
-    struct box all = EMPTY;
+    struct box box = EMPTY;
+    for (size_t i = 0; i < model->face_count; i++)
+        for (uint32_t k = 0; k < model->faces[i].count && !model->faces[i].mover; k++)
+            extend(&box, model->points[model->corners[model->faces[i].first + k]]);
+    return box;
+}
+
+static bool is_empty(const struct box *box)
+{
+    return box->low_m[0] > box->high_m[0];
+}
+
+static double longest_side_m(const struct box *box)
+{
+    double longest_m = 0;
+    for (int axis = 0; axis < 3; axis++)
+        longest_m = fmax(longest_m, box->high_m[axis] - box->low_m[axis]);
+    return longest_m;
+}
+
+/* The farthest that it reaches from its origin along an axis. */
+static double own_reach_m(const struct box *own)
+{
+    double reach_m = 0;
+    for (int axis = 0; axis < 3 && !is_empty(own); axis++)
+        reach_m = fmax(reach_m, fmax(-own->low_m[axis], own->high_m[axis]));
+    return reach_m;
+}
+
+/* Firmware draws what moves as far as the scene's longest side from its middle, along each axis; a cube around the
+ * mover's origin, in any turn, is held to that. The mover's own coordinates end at half the longest side. */
+static bool goes_beyond(const struct model *model, const struct box *still)
+{
+    static const double SURE = 0.95;
+    const double most_m = SURE * longest_side_m(still);
     for (size_t i = 0; i < model->mover_count; i++) {
         const struct model_mover *mover = &model->movers[i];
         const struct box own = own_box(model, i);
-        for (uint32_t key = 0; key < mover->key_count && own.low_m[0] <= own.high_m[0]; key++)
+        const double reach_m = own_reach_m(&own);
+        if (2 * reach_m > most_m) return true;
+        for (uint32_t key = 0; key < mover->key_count; key++)
+            for (int axis = 0; axis < 3; axis++) {
+                const double middle_m = (still->low_m[axis] + still->high_m[axis]) / 2;
+                const double at_m = model->keys[mover->first_key + key].pose.at_m[axis];
+                if (fabs(at_m - middle_m) + sqrt(3) * reach_m > most_m) return true;
+            }
+    }
+    return false;
+}
+
+/* A mover's box goes where its keys are; around its origin there is room for its own coordinates. */
+static struct box swept_box(const struct model *model, const struct box *still)
+{
+    struct box all = *still;
+    for (size_t i = 0; i < model->mover_count; i++) {
+        const struct model_mover *mover = &model->movers[i];
+        const struct box own = own_box(model, i);
+        for (int side = -1; side <= 1 && !is_empty(&own); side += 2) {
+            double at_m[3];
+            for (int axis = 0; axis < 3; axis++)
+                at_m[axis] = mover->rest.at_m[axis] + side * ROOM * own_reach_m(&own);
+            extend(&all, at_m);
+        }
+        for (uint32_t key = 0; key < mover->key_count && !is_empty(&own); key++)
             for (int corner = 0; corner < 8; corner++) {
                 double own_m[3], at_m[3];
                 for (int axis = 0; axis < 3; axis++)
@@ -107,17 +160,14 @@ static uint32_t rgb888_from(uint16_t rgb565)
 
 void moving_frame_add(struct model *model, uint16_t background_rgb565)
 {
-    if (!model->mover_count || stands_still(model)) return;
-    const struct box box = swept_box(model);
-    double size_m = 0;
-    for (int axis = 0; axis < 3; axis++)
-        size_m = fmax(size_m, (box.high_m[axis] - box.low_m[axis]) / SIZE_PARTS);
+    const struct box still = still_box(model);
+    if (!model->mover_count || (!is_empty(&still) && !goes_beyond(model, &still))) return;
+    const struct box all = swept_box(model, &still);
+    const double size_m = longest_side_m(&all) / SIZE_PARTS;
+    if (!is_empty(&still) && longest_side_m(&all) > MOST_WIDER * longest_side_m(&still))
+        return; /* refused by motion_set() */
     make_room(model);
-    add_face(model, box.low_m, size_m, rgb888_from(background_rgb565));
-    add_face(model, box.high_m, -size_m, rgb888_from(background_rgb565));
+    add_face(model, all.low_m, size_m, rgb888_from(background_rgb565));
+    add_face(model, all.high_m, -size_m, rgb888_from(background_rgb565));
     model->made_faces = FACES;
-    model_note(model,
-               "everything in it moves; two faces of the background's colour, 1/%d of its length, stand still at its "
-               "ends",
-               SIZE_PARTS);
 }
