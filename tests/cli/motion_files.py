@@ -133,7 +133,7 @@ def main(folder):
               'slides': one('translation', [0, 1], [[0, 0, 0], [1, 1, 0]], {'scale': [2, 1, 1]}),
               'mirrored': one('rotation', [0, 1], quarter, {'scale': [-1, 1, 1]}, scale=[1, 1, -0.5]),
               'away': one('translation', [0, 1], [[0, 0, 0], [30, 3, 1]]),
-              'too_far': one('translation', [0, 1], [[0, 0, 0], [900, 3, 1]]),
+              'too_far': one('translation', [0, 1], [[0, 0, 0], [200, 3, 1]]),
               'twice': twice(), 'skin': skin(),
               'crowd_bars': crowd(6, (0.1, 0.1, 1), 0), 'crowd_boxes': crowd(12, (0.4, 0.4, 0.4), 1),
               'few_meet': crowd(3, (0.5, 0.5, 0.5), 0.3), 'many_apart': crowd(24, (0.1, 0.1, 0.1), 1.5)}
