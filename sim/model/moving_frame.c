@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "compiler/moving_frame.h"
+#include "model/moving_frame.h"
 
 #include "base/grow.h"
 #include "model/pose.h"

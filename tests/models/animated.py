@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# Small glTF files whose nodes are animated, for cli_motion.sh: python3 motion_files.py FOLDER writes one of each kind.
+# Small glTF files whose nodes are animated, for cli_motion.sh: python3 animated.py FOLDER writes one of each kind.
 import base64
 import json
 import math
