@@ -11,6 +11,7 @@
 #include "compiler/texture_budget.h"
 #include "core/core.h"
 #include "model/original.h"
+#include "readers/import_motion.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
 
@@ -94,6 +95,7 @@ bool compile_model(const char *path, const struct compile_options *options, stru
 {
     struct model model;
     *out = (struct compiled){0};
+    motions_leave_out(true); /* nothing moves in a scene alone */
     if (!model_read(path, &options->orientation, &model, err)) return false;
     bool ok = !options->predict || source_take(path, &model, err);
     compile_options_light(options, &model);

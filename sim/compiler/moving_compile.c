@@ -14,6 +14,8 @@
 #include "compiler/texture_budget.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
+#include "model/moving_frame.h"
+#include "readers/import_motion.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
 #include "scene.h"
@@ -124,7 +126,9 @@ static bool motion_set(const struct model *model, size_t index, const struct gri
     for (uint32_t i = 0; i < mover->key_count; i++)
         if (!key_set(&model->keys[mover->first_key + i], grid, &object->keys[i],
                      grid->is_long ? &object->origins[i] : NULL))
-            return error_set(err, "node '%s': it moves farther than twice the scene's size", mover->name);
+            return error_set(err, "node '%s': it moves too far for coordinates of %d bits; %s--movers off helps",
+                             mover->name, grid->is_long ? 32 : 16,
+                             grid->is_long ? "" : "--coordinates 32, a ground in the scene or ");
     for (uint32_t i = 0; i + 1 < mover->key_count; i++)
         arc_set(&object->keys[i], &object->keys[i + 1]);
     object->motion = (struct lim_motion){
@@ -158,9 +162,10 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     own.portals = PORTALS_OFF;
     memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
     model_part(&moving->model, index + 1, !moving->light.on, &part, &numbers);
-    bool ok = object_grid(scene_grid, &part, &grid, instance) ||
-              error_set(err, "its mesh reaches farther from the node's origin than the scene that it moves in is "
-                             "large; a ground in the scene helps, or --movers off");
+    bool ok =
+        object_grid(scene_grid, &part, &grid, instance) ||
+        error_set(err, "its mesh is too large beside what stands still; --coordinates 32, a ground in the scene or "
+                       "--movers off helps");
     ok = ok && compile_part(&part, &grid, &own, &object->scene, err);
     if (ok) number_faces(&object->scene, numbers);
     if (!ok) {
@@ -213,6 +218,16 @@ static void note_numbers(const struct moving *moving, struct compiled *scene)
     if (numbers > LIM_NONE)
         snprintf(add_note(&scene->report)->text, sizeof scene->report.notes->text,
                  "too many textured polygons: where all that moves is in view, some of it shows colours");
+}
+
+/* Trees with leaves order such objects piece by piece. */
+static void note_crowd(struct moving *moving, const struct compiled *scene)
+{
+    if (moving->crowded > 0)
+        model_note(&moving->model,
+                   "objects that move pass through each other in a crowd: in %.2g %% of sampled views some of them may "
+                   "be wrong, with holes; %s helps",
+                   100 * moving->crowded, scene->grid.is_long ? "--movers off" : "--tree clusters");
 }
 
 static void limits_set(struct moving *moving)
@@ -278,9 +293,7 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
     own.predict = false; /* all parts together are */
     model_part(&moving->model, 0, true, &part, &numbers);
-    bool ok =
-        part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
-    ok = ok && compile_part(&part, NULL, &own, scene, err) && may_move(scene, own.tree, err);
+    bool ok = compile_part(&part, NULL, &own, scene, err) && may_move(scene, own.tree, err);
     if (ok) number_faces(scene, numbers);
     model_free(&part);
     free(numbers);
@@ -299,9 +312,10 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
         note_untextured(&moving->model, i, &scene->report);
     if (is_textured) note_numbers(moving, scene);
     limits_set(moving);
-    return !method_can_move(own.method->draws) || /* refused where they are to be drawn */
-           (pools_measure_moving(scene, moving, options->core, err) &&
-            order_choose_moving(scene, moving, options, err) &&
+    if (!method_can_move(own.method->draws)) return true; /* refused where they are to be drawn */
+    if (!pools_measure_moving(scene, moving, options->core, err)) return false;
+    note_crowd(moving, scene);
+    return (order_choose_moving(scene, moving, options, err) &&
             (!options->predict || predict_parts(moving, options->core, scene, err)));
 }
 
@@ -310,7 +324,8 @@ static void stop_movers(struct moving *moving)
     struct model *model = &moving->model;
     for (size_t i = 0; i < model->face_count; i++)
         model->faces[i].mover = 0;
-    moving->stopped = model->mover_count;
+    moving->stopped = model->mover_count + model->is_stopped;
+    if (moving->stopped) model_note(model, "what is animated stands still where the file has it");
     model->mover_count = model->key_count = 0;
 }
 
@@ -327,6 +342,7 @@ bool moving_compile(const char *path, const struct compile_options *options, con
 {
     struct model model;
     *moving = (struct moving){0};
+    motions_leave_out(movers->mode == MOVING_OFF);
     if (!model_read(path, &options->orientation, &model, err)) return false;
     if (options->predict && !source_take(path, &model, err)) {
         model_free(&model);
@@ -341,6 +357,7 @@ bool moving_compile_model(const struct model *model, const struct compile_option
 {
     *moving = (struct moving){.model = *model};
     if (movers->mode == MOVING_OFF) stop_movers(moving);
+    moving_frame_add(&moving->model, options->background);
     if (movers->light && !options->unlit) keep_movers_unlit(moving, options->mono);
     compile_options_light(options, &moving->model);
     if (!texture_budget_apply(&moving->model, options, err)) return false;

@@ -175,13 +175,14 @@ bool gltf_array_read(const struct gltf_file *file, const struct gltf_buffers *bu
                      size_t components, struct gltf_array *out)
 {
     enum { MOST = 1 << 26 };
+    static const char *const types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
     const json_t *own = gltf_element(file, "accessors", accessor), *sparse = json_object_get(own, "sparse");
     const char *type = json_string_value(json_object_get(own, "type"));
     const bool normalised = json_is_true(json_object_get(own, "normalized"));
     struct window window;
     size_t component;
     *out = (struct gltf_array){0};
-    if (!type || strcmp(type, components == 3 ? "VEC3" : "SCALAR") != 0) return false;
+    if (!type || components > 4 || strcmp(type, types[components]) != 0) return false;
     if (!gltf_index(own, "componentType", &component) || !size_of(component)) return false;
     if (!gltf_index(own, "count", &out->count) || out->count > MOST) return false;
     out->values = grow_zeroed(out->count * components, sizeof(double));

@@ -43,8 +43,8 @@ struct import {
     bool has_sky; /* one of the materials is it */
     unsigned uv_set;
     size_t picture_capacity, point_total;
-    const struct aiNode **movers; /* the nodes of model->movers */
-    uint16_t mover;               /* of the node being read: model_face.mover */
+    struct motions motions;
+    uint16_t mover; /* of the node being read: model_face.mover */
     struct vertex_numbers numbers;
     struct node_transforms transforms;
     double step_m; /* the largest of those between float32 numbers that vertices came as */
@@ -57,19 +57,6 @@ static struct node_transform affine_identity(void)
     return (struct node_transform){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 }
 
-static struct node_transform affine_times(const struct node_transform *a, const struct node_transform *b)
-{
-    struct node_transform out;
-    for (int row = 0; row < 3; row++)
-        for (int column = 0; column < 4; column++) {
-            double sum = column == 3 ? a->m[row][3] : 0;
-            for (int k = 0; k < 3; k++)
-                sum += a->m[row][k] * b->m[k][column];
-            out.m[row][column] = sum;
-        }
-    return out;
-}
-
 static bool affine_mirrors(const struct node_transform *a)
 {
     const double(*m)[4] = a->m;
@@ -78,19 +65,14 @@ static bool affine_mirrors(const struct node_transform *a)
            0;
 }
 
-static uint16_t mover_of(const struct import *import, const struct aiNode *node)
-{
-    for (size_t i = 0; i < import->model->mover_count; i++)
-        if (import->movers[i] == node) return (uint16_t)(i + 1);
-    return 0;
-}
-
-/* Parents first; a node's meshes in their order, then its children, which move with it. */
+/* Parents first; a node's meshes in their order, then its children, which move with it unless they move themselves. */
 static bool walk(struct import *import, const struct aiNode *node, struct node_transform parent, uint16_t mover,
                  mesh_reader *read)
 {
-    const struct node_transform own = node_transform_of(&import->transforms, node), here = affine_times(&parent, &own);
-    if (!mover) mover = mover_of(import, node);
+    const struct node_transform own = node_transform_of(&import->transforms, node);
+    const struct node_transform here = node_transform_times(&parent, &own);
+    const uint16_t own_mover = motions_mover_of(&import->motions, node);
+    if (own_mover) mover = own_mover;
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         import->transform = here;
         import->mover = mover;
@@ -147,8 +129,7 @@ static void note_step(struct import *import, const double v[3])
         double step_m = 0;
         for (int i = 0; i < 3 && !is_double; i++)
             step_m += fabs(m[axis][i]) * float_step_at(fabs(v[i]));
-        if (!is_double && !node_transforms_are_double(&import->transforms) && m[axis][3] != 0)
-            step_m += float_step_at(fabs(m[axis][3]));
+        if (!is_double && !import->transforms.are_double && m[axis][3] != 0) step_m += float_step_at(fabs(m[axis][3]));
         import->step_m = fmax(import->step_m, step_m);
     }
 }
@@ -338,10 +319,11 @@ static bool read_scene(struct import *import)
     const struct aiNode *root = import->scene->mRootNode;
     if (!root) return error_set(import->err, "%s: there is no scene in it", import->path);
     return node_transforms_read(import->path, import->scene, &import->transforms, import->err) &&
-           import_motions(import->path, import->scene, &import->transforms, import->model, &import->movers,
-                          &import->step_m, import->err) &&
+           motions_find(import->path, import->scene, &import->transforms, import->model, &import->motions,
+                        import->err) &&
            walk(import, root, affine_identity(), 0, count_mesh) && allocate(import) &&
-           walk(import, root, affine_identity(), 0, add_mesh);
+           walk(import, root, affine_identity(), 0, add_mesh) &&
+           motions_set_keys(&import->motions, &import->step_m, import->err);
 }
 
 /* The library drops such faces with no more than a line in its log. */
@@ -408,7 +390,7 @@ bool import_model(const char *path, struct model *model, struct error *err)
     if (ok) float_step_note(model, import.step_m);
     if (ok && pictures_sky() && !pictures_are_left_out() && !import.has_sky)
         model_note(model, "--sky: no material of that name has a picture");
-    free(import.movers);
+    motions_free(&import.motions);
     masked_pictures_free(&import.masked);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);

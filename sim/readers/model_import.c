@@ -34,7 +34,7 @@ struct result {
     size_t point_count, corner_count, face_count, alpha_clamped, picture_count;
     bool has_uvs;
     double lattice_m;
-    bool is_interior;
+    bool is_interior, is_stopped;
     size_t mover_count, key_count;
     char notice[sizeof((struct model *)0)->notice];
     struct error err;
@@ -119,6 +119,7 @@ _Noreturn static void run_child(const char *path, rlim_t file_b, FILE *out)
     result.has_uvs = model.uvs != NULL;
     result.lattice_m = model.lattice_m;
     result.is_interior = model.is_interior;
+    result.is_stopped = model.is_stopped;
     result.mover_count = model.mover_count;
     result.key_count = model.key_count;
     memcpy(result.notice, model.notice, sizeof result.notice);
@@ -164,6 +165,7 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     model->alpha_clamped = result.alpha_clamped;
     model->lattice_m = result.lattice_m;
     model->is_interior = result.is_interior;
+    model->is_stopped = result.is_stopped;
     model->mover_count = result.mover_count;
     model->key_count = result.key_count;
     memcpy(model->notice, result.notice, sizeof model->notice);

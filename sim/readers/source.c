@@ -35,6 +35,7 @@ void source_free(struct source *source)
 {
     free(source->counts);
     free(source->corners);
+    source_motion_free(&source->motion);
     *source = (struct source){0};
 }
 
@@ -58,10 +59,11 @@ static bool place_points(const char *path, struct source *source, const struct m
                          struct error *err)
 {
     double(*corner)[3] = source->corners;
-    if (source->face_count != model->face_count)
-        return error_set(err, "%s: the importer finds %zu faces in it, the reference's reader %zu", path,
-                         model->face_count, source->face_count);
-    for (size_t i = 0; i < model->face_count; i++) {
+    const size_t face_count = model->face_count - model->made_faces;
+    if (source->face_count != face_count)
+        return error_set(err, "%s: the importer finds %zu faces in it, the reference's reader %zu", path, face_count,
+                         source->face_count);
+    for (size_t i = 0; i < face_count; i++) {
         const struct model_face *face = &model->faces[i];
         if (source->counts[i] != face->count)
             return error_set(err, "%s: face %zu: the importer finds %u corners, the reference's reader %u", path, i + 1,
@@ -86,6 +88,14 @@ static void note_shared(struct model *model)
     model_note(model, "the reference has the importer's vertices: it has no reader of its own for this file");
 }
 
+static void take_motion(struct source *source, struct model *model)
+{
+    if (!source->motion.count || !model->mover_count) return;
+    model->source_motion = grow_zeroed(1, sizeof *model->source_motion);
+    *model->source_motion = source->motion;
+    source->motion = (struct source_motion){0};
+}
+
 bool source_take(const char *path, struct model *model, struct error *err)
 {
     struct source source = {0};
@@ -101,6 +111,7 @@ bool source_take(const char *path, struct model *model, struct error *err)
             model->source_points = points;
         else
             free(points);
+        if (ok) take_motion(&source, model);
     }
     source_free(&source);
     return ok;
