@@ -25,7 +25,8 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
 /* The opacity of a face of this paint: its own times the mean of the vertex colours' alphas, if those count. */
 double model_face_opacity(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face);
 
-/* 0xRRGGBB (sRGB): the paint times the mean of the face's vertex colours. */
-uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face);
+/* 0xRRGGBB (sRGB): the paint times the mean of the face's vertex colours, and whether these differ. */
+uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face,
+                           bool *varies);
 
 #endif

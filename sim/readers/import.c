@@ -16,7 +16,9 @@
 #include "readers/inputs.h"
 #include "readers/masked_picture.h"
 #include "readers/model_io.h"
+#include "readers/model_limits.h"
 #include "readers/model_whole.h"
+#include "readers/own_formats.h"
 #include "readers/picture.h"
 #include "readers/vertex_numbers.h"
 
@@ -26,9 +28,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A face's own limit: what is done with it takes time that grows with the square of its corners. */
-enum { MOST_CORNERS = 1 << 23, MOST_FACES = 1 << 20, MOST_FACE_CORNERS = 1024 };
 
 struct import {
     const char *path;
@@ -142,7 +141,7 @@ static bool vertex_of(struct import *import, const struct aiVector3D *v, double 
 static void note_step(struct import *import, const double v[3])
 {
     const double(*m)[4] = (const double(*)[4])import->transform.m;
-    const bool is_double = import->numbers.table.count && !import->numbers.is_float32;
+    const bool is_double = import->numbers.table.count > 0;
     for (int axis = 0; axis < 3; axis++) {
         double step_m = 0;
         for (int i = 0; i < 3 && !is_double; i++)
@@ -312,7 +311,10 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
         if (face->mNumIndices < 3) continue;
-        if (!add_face(import, face, first_point, model_face_colour(&import->paint, mesh, face)) ||
+        bool varies;
+        const uint32_t colour = model_face_colour(&import->paint, mesh, face, &varies);
+        import->model->faces_of_many_colours += varies;
+        if (!add_face(import, face, first_point, colour) ||
             !set_transparency(import, model_face_opacity(&import->paint, mesh, face)))
             return false;
     }
@@ -394,20 +396,22 @@ static bool import_level(const char *path, const struct level_path *level, struc
     return level_import(path, !pictures_are_left_out(), model, err);
 }
 
-bool import_model(const char *path, struct model *model, struct error *err)
+static void note_sky(struct model *model, bool has_sky)
 {
-    struct level_path level;
-    *model = (struct model){0};
-    if (level_path_parse(path, &level)) return import_level(path, &level, model, err);
-    if (!model_io_check(path, err) || !model_is_whole(path, err)) return false;
+    if (pictures_sky() && !pictures_are_left_out() && !has_sky)
+        model_note(model, "--sky: no material of that name has a picture");
+}
+
+static bool import_by_library(const char *path, struct model *model, struct error *err)
+{
+    if (!model_is_whole(path, err)) return false;
     struct import import = {.path = path, .model = model, .err = err};
     companions_begin(path);
     if (!vertex_numbers_make(path, &import.numbers, err)) return false;
     import.scene = import_file(path, &import.numbers.file, err);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) float_step_note(model, import.step_m);
-    if (ok && pictures_sky() && !pictures_are_left_out() && !import.has_sky)
-        model_note(model, "--sky: no material of that name has a picture");
+    if (ok) note_sky(model, import.has_sky);
     free(import.movers);
     masked_pictures_free(&import.masked);
     node_transforms_free(&import.transforms);
@@ -415,4 +419,25 @@ bool import_model(const char *path, struct model *model, struct error *err)
     vertex_numbers_free(&import.numbers);
     if (!ok) model_free(model);
     return ok;
+}
+
+static bool import_own(const char *path, model_builder *read, struct model *model, struct error *err)
+{
+    const bool ok = model_build_from(path, read, model, err);
+    if (ok) note_sky(model, false);
+    return ok;
+}
+
+bool import_model(const char *path, struct model *model, struct error *err)
+{
+    struct level_path level;
+    *model = (struct model){0};
+    if (level_path_parse(path, &level)) return import_level(path, &level, model, err);
+    if (!model_io_check(path, err)) return false;
+    model_builder *const own = own_format_of(path);
+    if (!(own ? import_own(path, own, model, err) : import_by_library(path, model, err))) return false;
+    if (model->faces_of_many_colours)
+        model_note(model, "%zu faces have colours that change over them; each is drawn in their mean",
+                   model->faces_of_many_colours);
+    return true;
 }

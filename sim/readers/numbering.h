@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the formats' numberings share: a text read line by line or word by word, and its copy, written with stand-ins
- * for vertices (vertex_table.h). */
+ * A text read line by line or word by word, and its copy, written with stand-ins for vertices (vertex_table.h). */
 #ifndef SIM_NUMBERING_H
 #define SIM_NUMBERING_H
 
@@ -17,8 +16,6 @@ struct numbering {
     char *out;   /* owned by whoever began */
     size_t out_b, out_capacity;
     struct vertex_table table;
-    bool is_float32; /* the coordinates are so in the file */
-    bool is_mended;  /* `out` is to be read even if `table` is empty */
     struct error *err;
 };
 
@@ -50,11 +47,8 @@ bool numbering_vertex(struct numbering *work, const double point[3]);
  */
 void numbering_word(struct numbering *work, const struct word *word);
 
-/* The formats. They return false with an error, or true; then `out` is what the library is to read. If `table` is
- * empty there is nothing to be gained, unless the text is mended. */
+/* Returns false with an error, or true; then `out` is what the library is to read. If `table` is empty there is nothing
+ * to be gained. */
 bool number_obj(struct numbering *work);
-bool number_ply(struct numbering *work);
-bool number_stl(struct numbering *work);
-bool number_off(struct numbering *work);
 
 #endif
