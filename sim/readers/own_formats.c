@@ -30,8 +30,3 @@ model_builder *own_format_of(const char *path)
         if (path_has_suffix(path, formats[i].suffix)) return formats[i].read;
     return begins_as_ply(path) ? import_ply : NULL;
 }
-
-bool import_3mf(struct model_build *build)
-{
-    return error_set(build->err, "%s: TODO", build->path);
-}
