@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_DEEP = 64, SHOWN_B = 200 };
+enum { MOST_DEEP = 64, SHOWN_B = 200, MOST_KINDS = 8 };
 
 struct package {
     struct model_build *build;
@@ -206,6 +206,38 @@ static bool take_unit(struct package *package)
     return true;
 }
 
+/* Codes of lib3mf 1.8. The last two say nothing of what is drawn. */
+enum { UNKNOWN_ELEMENT = 0x80A6, UNKNOWN_EXTENSION = 0x8092, NO_UUID = 0x80B0, NO_DEFAULT = 0x80BB };
+
+static void note_warning(struct model *model, uint32_t code, uint32_t times, const char *text)
+{
+    if (code == UNKNOWN_ELEMENT)
+        model_note(model, "%u elements are unknown to lib3mf, as composite materials and multiproperties are; left out",
+                   times);
+    else if (code == UNKNOWN_EXTENSION)
+        model_note(model, "it requires an extension that is not read; what that adds or changes is missing");
+    else if (code != NO_UUID && code != NO_DEFAULT)
+        model_note(model, "lib3mf warns, %u times: %s", times, text);
+}
+
+/* A line a kind. */
+static void note_warnings(struct model *model, lib3mf_handle reader)
+{
+    uint32_t count = 0, codes[MOST_KINDS], times[MOST_KINDS] = {0}, code, needed_b, kind, kinds = 0;
+    char texts[MOST_KINDS][SHOWN_B] = {""};
+    if (lib3mf_reader_getwarningcount(reader, &count)) return;
+    for (uint32_t i = 0; i < count && kinds < MOST_KINDS; i++) {
+        if (lib3mf_reader_getwarningutf8(reader, i, &code, texts[kinds], SHOWN_B, &needed_b)) continue;
+        codes[kinds] = code;
+        for (kind = 0; codes[kind] != code;)
+            kind++;
+        times[kind]++;
+        kinds += kind == kinds;
+    }
+    for (kind = 0; kind < kinds; kind++)
+        note_warning(model, codes[kind], times[kind], texts[kind]);
+}
+
 static bool read_bytes(const struct package *package, struct whole_file *file)
 {
     lib3mf_handle reader;
@@ -215,6 +247,7 @@ static bool read_bytes(const struct package *package, struct whole_file *file)
     const bool ok = !lib3mf_reader_readfrombuffer(reader, (uint8_t *)file->bytes, file->size_b);
     if (!ok && (lib3mf_getlasterror(reader, &code, &text) || !text)) text = "for a reason that lib3mf does not tell";
     if (!ok) error_set(package->build->err, "%s: damaged, or no 3MF file: %.*s", package->build->path, SHOWN_B, text);
+    if (ok) note_warnings(package->build->model, reader);
     lib3mf_release(reader);
     return ok;
 }
