@@ -254,6 +254,12 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
         import->holes = picture_transparency(&import->model->pictures[import->picture - 1]);
 }
 
+/* What a file says is no number is not missing. */
+static double said(float number)
+{
+    return isnan(number) ? (double)INFINITY : (double)number;
+}
+
 /* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
 static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t first_point)
 {
@@ -265,8 +271,8 @@ static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t f
         import->uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[import->uv_set] : NULL;
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
         double *uv = model->uvs[first_point + i];
-        uv[0] = uvs ? uvs[i].x : NAN;
-        uv[1] = uvs ? 1.0 - uvs[i].y : NAN;
+        uv[0] = uvs ? said(uvs[i].x) : NAN;
+        uv[1] = uvs ? 1.0 - said(uvs[i].y) : NAN;
     }
     return true;
 }

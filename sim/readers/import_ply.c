@@ -62,6 +62,12 @@ static double unit_from(double value, enum ply_type type)
     }
 }
 
+/* A place that the file says is no number is not missing. */
+static double said(double value)
+{
+    return isnan(value) ? (double)INFINITY : value;
+}
+
 enum outcome { DONE, EARLY, FAILED };
 
 static enum outcome read_one(struct ply *ply, const struct ply_property *property)
@@ -72,6 +78,7 @@ static enum outcome read_one(struct ply *ply, const struct ply_property *propert
     const struct word word = ply_number_word(&ply->body);
     if (property->role <= PLY_Z && isnan(value) && word.length)
         return text_number(&ply->body.text, &word, &value) ? DONE : FAILED;
+    if (property->role == PLY_ACROSS || property->role == PLY_UP) value = said(value);
     const bool is_colour = property->role >= PLY_RED && property->role <= PLY_ALPHA;
     ply->is_float32 |= property->role <= PLY_Z && property->type == PLY_FLOAT && ply->body.coding != PLY_TEXT;
     ply->number[property->role] = is_colour ? unit_from(value, property->type) : value;
@@ -97,7 +104,7 @@ static enum outcome read_list(struct ply *ply, const struct ply_element *element
     for (; count > 0; count--) {
         if (!ply_number(&ply->body, property->type, &value)) return EARLY;
         list->at = grow(list->at, list->count, &list->capacity, sizeof *list->at);
-        list->at[list->count++] = value;
+        list->at[list->count++] = property->role == PLY_PLACES ? said(value) : value;
     }
     return DONE;
 }
