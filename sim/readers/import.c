@@ -17,6 +17,7 @@
 #include "readers/masked_picture.h"
 #include "readers/model_io.h"
 #include "readers/model_limits.h"
+#include "readers/model_unit.h"
 #include "readers/model_whole.h"
 #include "readers/own_formats.h"
 #include "readers/picture.h"
@@ -408,6 +409,13 @@ static void note_sky(struct model *model, bool has_sky)
         model_note(model, "--sky: no material of that name has a picture");
 }
 
+static void take_unit(struct import *import)
+{
+    const double unit_m = model_unit_m(import->path, import->scene);
+    if (unit_m != 1) model_to_metres(import->model, unit_m);
+    float_step_note(import->model, import->step_m * unit_m);
+}
+
 static bool import_by_library(const char *path, struct model *model, struct error *err)
 {
     if (!model_is_whole(path, err)) return false;
@@ -416,7 +424,7 @@ static bool import_by_library(const char *path, struct model *model, struct erro
     if (!vertex_numbers_make(path, &import.numbers, err)) return false;
     import.scene = import_file(path, &import.numbers.file, err);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
-    if (ok) float_step_note(model, import.step_m);
+    if (ok) take_unit(&import);
     if (ok) note_sky(model, import.has_sky);
     free(import.movers);
     masked_pictures_free(&import.masked);
