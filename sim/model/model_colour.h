@@ -16,6 +16,7 @@ struct model_paint {
     bool textures_blend; /* so does the alpha of its texture: unless alphaMode of glTF says OPAQUE */
     double least_alpha;  /* 0..1: what of its texture, or of its mask, has less is clear; 0: nothing is */
     bool two_sided;      /* the material asks for both sides */
+    bool by_vertex;      /* vertices have colours */
     bool unlit;          /* it is not to be lit: `illum 0` of MTL, KHR_materials_unlit of glTF */
 };
 

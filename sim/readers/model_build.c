@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { WHITE = 0xFFFFFF };
 static const double HOLE_BELOW = 0.5; /* of a picture's alpha */
 
 /* Vertices and corners --------------------------------------------------------------------------------------------- */
@@ -94,6 +95,12 @@ static void add_colour(struct model_build *build, const struct mean_colour *mean
     colour->spread = (float)mean_colour_spread(mean);
 }
 
+/* What has a picture, and says nothing of colours, is as the picture is. */
+static uint32_t default_colour(const struct build_look *look)
+{
+    return look->picture && !pictures_are_left_out() ? WHITE : MODEL_DEFAULT_COLOUR;
+}
+
 bool build_face(struct model_build *build, const struct build_look *look)
 {
     struct model *model = build->model;
@@ -107,7 +114,7 @@ bool build_face(struct model_build *build, const struct build_look *look)
     add_colour(build, &look->colour);
     model->faces[model->face_count++] = (struct model_face){.first = (uint32_t)first,
                                                             .count = (uint32_t)count,
-                                                            .colour = MODEL_DEFAULT_COLOUR,
+                                                            .colour = default_colour(look),
                                                             .picture = look->picture,
                                                             .two_sided = look->two_sided};
     if (look->picture) model->pictures[look->picture - 1].faces++;
