@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/model_read.h"
 
+#include "files/whole_file.h"
 #include "levels/level_path.h"
 #include "model/flat_texture.h"
 #include "readers/model_import.h"
-#include "readers/whole_file.h"
 
 /* Which way up formats are, that assimp hands over as they are, but for those of 3ds Max. */
 static const struct {

@@ -5,7 +5,7 @@
  * specification, Metric. */
 #include "readers/model_unit.h"
 
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
 
 #include <assimp/metadata.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "readers/model_whole.h"
 
 #include "base/binary.h"
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,6 +5,7 @@
 #define SIM_NUMBERING_H
 
 #include "base/error.h"
+#include "files/words.h"
 #include "readers/vertex_table.h"
 
 #include <stddef.h>
@@ -19,23 +20,11 @@ struct numbering {
     struct error *err;
 };
 
-struct word {
-    const char *text;
-    size_t length;
-};
-
-/* Ends of lines are newlines, carriage returns and zeros; blanks are spaces and tabs. */
-bool is_line_end(char c);
-bool is_blank(char c);
-
 void numbering_write(struct numbering *work, const char *bytes, size_t size_b);
 
 /* Takes the next `count` characters, which it writes or leaves out, and counts lines. */
 void numbering_copy(struct numbering *work, size_t count);
 void numbering_skip(struct numbering *work, size_t count);
-
-/* Of a line [text, end): the words up to a comment's #; how many there are, of which at most `most` are set. */
-size_t words_of(const char *text, const char *end, struct word *words, size_t most);
 
 /* An error that names the line, unless the word is a decimal number. */
 bool numbering_parse(struct numbering *work, const struct word *word, double *value);

@@ -3,7 +3,7 @@
  * STL for the reference: float32 triangles behind a head, or words. */
 #include "readers/source.h"
 
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
 
 #include <stdlib.h>
 #include <string.h>

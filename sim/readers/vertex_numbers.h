@@ -10,8 +10,8 @@
 #ifndef SIM_VERTEX_NUMBERS_H
 #define SIM_VERTEX_NUMBERS_H
 
+#include "files/whole_file.h"
 #include "readers/vertex_table.h"
-#include "readers/whole_file.h"
 
 /* A file as the library is to read it. */
 struct vertex_numbers {

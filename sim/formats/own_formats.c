@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/own_formats.h"
+#include "formats/own_formats.h"
 
 #include "base/input_file.h"
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
 
 #include <ctype.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/looks_3mf.h"
+#include "formats/looks_3mf.h"
 
 #include "base/grow.h"
 

@@ -4,11 +4,11 @@
  * Coordinates are float32 numbers of the file's unit, z is up, and a transform that mirrors leaves outsides outside.
  * Drawn is what is to be built: supports for printing, beams and slices are told of. Source: 3MF Core
  * Specification 1.4. */
-#include "readers/own_formats.h"
+#include "formats/own_formats.h"
 
 #include "base/grow.h"
-#include "readers/looks_3mf.h"
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
+#include "formats/looks_3mf.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,8 +5,8 @@
 #ifndef SIM_LOOKS_3MF_H
 #define SIM_LOOKS_3MF_H
 
-#include "readers/lib3mf.h"
-#include "readers/model_build.h"
+#include "formats/lib3mf.h"
+#include "formats/model_build.h"
 
 struct looks_3mf {
     struct model_build *build;

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/text.h"
+#include "files/text_lines.h"
 
-#include "readers/decimal.h"
-#include "readers/whole_file.h"
+#include "files/decimal.h"
+#include "files/whole_file.h"
 
 #include <string.h>
-#include <strings.h>
 
 bool text_begin(struct text *text, const char *path, const char *bytes, size_t size_b, struct error *err)
 {
@@ -79,9 +78,4 @@ bool text_number(const struct text *text, const struct word *word, double *value
     if (decimal_parse(word->text, word->length, value)) return true;
     return error_set(text->err, "%s:%zu: '%.*s' is not a decimal number up to 3.4e38", text->path, text->line,
                      word->length < SHOWN ? (int)word->length : SHOWN, word->text);
-}
-
-bool word_is(const struct word *word, const char *lower_case)
-{
-    return word->length == strlen(lower_case) && strncasecmp(word->text, lower_case, word->length) == 0;
 }

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * A text that a reader of our own goes through, line by line and word by word. */
-#ifndef SIM_TEXT_H
-#define SIM_TEXT_H
+#ifndef SIM_TEXT_LINES_H
+#define SIM_TEXT_LINES_H
 
-#include "readers/numbering.h"
+#include "base/error.h"
+#include "files/words.h"
 
 struct text {
     const char *path;
@@ -29,8 +30,5 @@ bool text_any_word(struct text *text, struct word *word);
 
 /* A word as a number; else an error that names the line. */
 bool text_number(const struct text *text, const struct word *word, double *value);
-
-/* In capitals or not. */
-bool word_is(const struct word *word, const char *lower_case);
 
 #endif

@@ -3,12 +3,12 @@
  * PLY. Vertices and faces have colours and places in pictures: those of a face, where it has its own, else those of its
  * corners. The body is gone through twice, as faces may come before vertices. A strip's triangles turn one way and the
  * other, and -1 begins a new one. */
-#include "readers/own_formats.h"
+#include "formats/own_formats.h"
 
 #include "base/grow.h"
-#include "readers/model_limits.h"
-#include "readers/ply_numbers.h"
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
+#include "formats/model_limits.h"
+#include "formats/ply_numbers.h"
 
 #include <math.h>
 #include <stdlib.h>

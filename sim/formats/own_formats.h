@@ -5,7 +5,7 @@
 #ifndef SIM_OWN_FORMATS_H
 #define SIM_OWN_FORMATS_H
 
-#include "readers/model_build.h"
+#include "formats/model_build.h"
 
 /* NULL: the file is for the importer library. */
 model_builder *own_format_of(const char *path);

@@ -5,9 +5,9 @@
 #ifndef SIM_MODEL_BUILD_H
 #define SIM_MODEL_BUILD_H
 
+#include "files/masked_picture.h"
 #include "model/mean_colour.h"
 #include "model/model.h"
-#include "readers/masked_picture.h"
 
 struct build_colour {
     float rgba[4], spread; /* as the file has them: in parts of model_build.full_colour */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/ply_numbers.h"
+#include "formats/ply_numbers.h"
 
-#include "readers/decimal.h"
+#include "files/decimal.h"
 
 #include <float.h>
 #include <math.h>

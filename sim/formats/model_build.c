@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/model_build.h"
+#include "formats/model_build.h"
 
 #include "base/grow.h"
-#include "readers/companion.h"
-#include "readers/float_step.h"
-#include "readers/inputs.h"
-#include "readers/model_limits.h"
-#include "readers/picture.h"
+#include "files/companion.h"
+#include "files/inputs.h"
+#include "files/picture.h"
+#include "formats/float_step.h"
+#include "formats/model_limits.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/ply_header.h"
+#include "formats/ply_header.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,12 +4,12 @@
  * [ST][C][N][4][n]OFF, a divisor (4), a normal (N), a colour (C), a place in a picture (ST, of which no file is named).
  * Behind a face's corners may come a colour: three or four numbers, or one number of a map that is not part of the
  * file. Colours are whole numbers up to 255, or up to 1 where they have points. Source: the manual of Geomview. */
-#include "readers/own_formats.h"
+#include "formats/own_formats.h"
 
 #include "base/grow.h"
-#include "readers/model_limits.h"
-#include "readers/text.h"
-#include "readers/whole_file.h"
+#include "files/text_lines.h"
+#include "files/whole_file.h"
+#include "formats/model_limits.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Transparent parts have whatever colour the file gives to them, and how opaque they are is known. */
-#include "readers/picture.h"
+#include "files/picture.h"
 
+#include "files/companion.h"
 #include "pictures/picture_size.h"
-#include "readers/companion.h"
 
 #include <assimp/material.h>
 #include <errno.h>

@@ -4,8 +4,8 @@
 #ifndef SIM_PLY_NUMBERS_H
 #define SIM_PLY_NUMBERS_H
 
-#include "readers/ply_header.h"
-#include "readers/text.h"
+#include "files/text_lines.h"
+#include "formats/ply_header.h"
 
 struct ply_numbers {
     struct text text; /* its path, err, and end are those of bytes, too */

@@ -5,10 +5,10 @@
  * a clear upper bit means a colour of the facet's own, red in the lowest bits. Else VisCAM's and SolidView's: a set
  * upper bit means a colour, blue in the lowest bits. Sources: 3D Systems, StereoLithography Interface Specification,
  * 1988; rp-ml.org, 2001, on colours. */
-#include "readers/own_formats.h"
+#include "formats/own_formats.h"
 
-#include "readers/text.h"
-#include "readers/whole_file.h"
+#include "files/text_lines.h"
+#include "files/whole_file.h"
 
 #include <stdint.h>
 #include <string.h>
