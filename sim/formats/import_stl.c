@@ -104,8 +104,9 @@ static bool read_bytes(struct stl *stl)
     const bool has_own = facets_have_colours(stl, count);
     for (uint32_t i = 0; i < count; i++)
         if (!read_facet(stl, stl->bytes + HEAD_B + (size_t)i * FACET_B, has_own)) return false;
-    const size_t left_b = stl->size_b - HEAD_B - (size_t)count * FACET_B;
-    if (left_b) model_note(build->model, "%zu bytes behind its last triangle are not read", left_b);
+    if (there > count)
+        model_note(build->model, "its head counts %lu triangles; %zu bytes behind these are not read",
+                   (unsigned long)count, stl->size_b - HEAD_B - (size_t)count * FACET_B);
     return true;
 }
 

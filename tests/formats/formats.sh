@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 #
 # What PLY, OFF, STL and 3MF files say of colours, pictures and places is drawn; and models come in metres where their
-# files have a unit. Files, rays and expected colours are those of tests/rigs/formats.py.
+# files have a unit. Files, rays and expected colours are those of tests/formats/formats.py.
 . tests/tap.sh
 
 limner=$(cd "$BUILD" && pwd)/limner
-cases=$(pwd)/tests/rigs/formats.py
+cases=$(pwd)/tests/formats/formats.py
 cd "$work" || exit 1
 
 holds() { # CASE SENTENCE
