@@ -16,6 +16,7 @@
 #include "compiler/faithful.h"
 #include "core/core.h"
 #include "levels/level_path.h"
+#include "model/mapping.h"
 #include "pictures/dump.h"
 #include "pictures/frame_file.h"
 #include "pictures/hashes.h"
@@ -98,7 +99,8 @@ static void print_notes(const struct compile_report *report)
     for (size_t i = 0; i < report->note_count; i++)
         if (!report->notes[i].is_detail) notice("%s", report->notes[i].text);
     if (report->mesh.clamped) notice("%zu faces have an opacity beyond 0..1, clamped", report->mesh.clamped);
-    if (report->mesh.unmapped) notice("%zu faces have a texture, but no texture coordinates", report->mesh.unmapped);
+    for (enum unmapped kind = 0; kind < UNMAPPED_KINDS; kind++)
+        if (report->mesh.unmapped[kind]) notice("%zu faces %s", report->mesh.unmapped[kind], unmapped_words(kind));
 }
 
 /* The reference's faces have colours if none of them moves. */

@@ -6,9 +6,9 @@
 #include "cli/options.h"
 #include "cli/report_file.h"
 #include "cli/report_run.h"
+#include "files/inputs.h"
 #include "levels/level_path.h"
 #include "model/model.h"
-#include "readers/inputs.h"
 #include "readers/model_import.h"
 #include "scene/scene_files.h"
 

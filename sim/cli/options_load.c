@@ -3,6 +3,7 @@
  * From options to a scene and its cameras. */
 #include "base/notice.h"
 #include "base/outputs.h"
+#include "cameras/facing.h"
 #include "cli/options.h"
 #include "compiler/order_choice.h"
 #include "scene/scene_files.h"
@@ -95,6 +96,15 @@ double options_rate(const struct options *options, const struct moving *moving, 
     return options_loop(options, moving) ? (double)count / loop_length_s(options, moving) : options->frames_per_s;
 }
 
+/* What moves turns its faces. */
+static void note_backs(const struct options *options, const struct moving *moving, const struct camera_path *path)
+{
+    if (!moving || moving->count || options_scene_is_compiled(options) || facing_any(&moving->model, path)) return;
+    notice(
+        "%s: all its faces turn their backs to every camera, and backs are not drawn: --two-sided or --reverse-faces",
+        options->scene_path);
+}
+
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err)
 {
@@ -105,5 +115,7 @@ bool options_load(const struct options *options, struct compiled *scene, struct 
                        options->setup.h_px, err))
         return false;
     if (options->compile.near_m <= 0.0) lens_note_near(options->scene_path, &scene->grid);
-    return camera_choice_plan(&options->cameras, scene, lens, orbit_frames(options, moving), path, err);
+    if (!camera_choice_plan(&options->cameras, scene, lens, orbit_frames(options, moving), path, err)) return false;
+    note_backs(options, moving, path);
+    return true;
 }

@@ -40,19 +40,22 @@ struct note {
     bool is_detail; /* for the report alone */
 };
 
+/* Why a face does not show its texture. */
+enum unmapped { UNMAPPED_MISSING, UNMAPPED_INFINITE, UNMAPPED_FAR, UNMAPPED_FINE, UNMAPPED_KINDS };
+
 /* What became of the input; the report prints it. */
 struct mesh_counts {
-    size_t faces;      /* in the model file */
-    size_t clamped;    /* faces whose opacity was below 0 or above 1 */
-    size_t invisible;  /* faces dropped: of opacity 0 */
-    size_t zero_area;  /* faces dropped: all corners on one line */
-    size_t too_small;  /* faces dropped: they have an area, but corners that the grid cannot tell apart */
-    size_t non_planar; /* faces triangulated because a corner leaves the plane */
-    size_t concave;    /* faces triangulated because they are not convex */
-    size_t bent;       /* faces triangulated because their texture is bent */
-    size_t unmapped;   /* polygons without their texture: its coordinates are missing, not finite or too far apart */
-    size_t merged;     /* polygons that vanished into a coplanar neighbour */
-    size_t t_vertices; /* vertices inserted into edges of other polygons */
+    size_t faces;                    /* in the model file */
+    size_t clamped;                  /* faces whose opacity was below 0 or above 1 */
+    size_t invisible;                /* faces dropped: of opacity 0 */
+    size_t zero_area;                /* faces dropped: all corners on one line */
+    size_t too_small;                /* faces dropped: they have an area, but corners that the grid cannot tell apart */
+    size_t non_planar;               /* faces triangulated because a corner leaves the plane */
+    size_t concave;                  /* faces triangulated because they are not convex */
+    size_t bent;                     /* faces triangulated because their texture is bent */
+    size_t unmapped[UNMAPPED_KINDS]; /* polygons without their texture */
+    size_t merged;                   /* polygons that vanished into a coplanar neighbour */
+    size_t t_vertices;               /* vertices inserted into edges of other polygons */
 };
 
 struct original;

@@ -58,10 +58,11 @@ struct model {
     size_t corner_count;
     struct model_face *faces; /* faces[i] is face number i + 1 of the file */
     size_t face_count;
-    size_t made_faces;        /* the last ones, which are not the file's (moving_frame.h) */
-    const uint32_t *numbers;  /* of each face in the file, somebody else's; NULL: faces[i] is number i + 1 */
-    size_t alpha_clamped;     /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
-    struct picture *pictures; /* also those that cannot be read */
+    size_t made_faces;       /* the last ones, which are not the file's (moving_frame.h) */
+    const uint32_t *numbers; /* of each face in the file, somebody else's; NULL: faces[i] is number i + 1 */
+    size_t alpha_clamped;    /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
+    size_t faces_of_many_colours; /* whose corners' colours differ: each has the mean of them */
+    struct picture *pictures;     /* also those that cannot be read */
     size_t picture_count;
     uint8_t texture_bits; /* of a part: no side of a texture is longer than 2^texture_bits; 0: nobody has said */
     struct model_mover *movers;

@@ -4,7 +4,7 @@
 #ifndef SIM_GLTF_FILE_H
 #define SIM_GLTF_FILE_H
 
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
 
 #include <jansson.h>
 

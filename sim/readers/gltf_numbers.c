@@ -4,7 +4,7 @@
 #include "readers/gltf_numbers.h"
 
 #include "base/grow.h"
-#include "readers/companion.h"
+#include "files/companion.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -7,17 +7,20 @@
 #include "readers/import.h"
 
 #include "base/grow.h"
+#include "files/companion.h"
+#include "files/inputs.h"
+#include "files/masked_picture.h"
+#include "files/picture.h"
+#include "formats/float_step.h"
+#include "formats/model_limits.h"
+#include "formats/own_formats.h"
 #include "levels/level_import.h"
 #include "levels/level_path.h"
 #include "model/model_colour.h"
-#include "readers/companion.h"
-#include "readers/float_step.h"
 #include "readers/import_motion.h"
-#include "readers/inputs.h"
-#include "readers/masked_picture.h"
 #include "readers/model_io.h"
+#include "readers/model_unit.h"
 #include "readers/model_whole.h"
-#include "readers/picture.h"
 #include "readers/vertex_numbers.h"
 
 #include <assimp/cimport.h>
@@ -26,9 +29,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A face's own limit: what is done with it takes time that grows with the square of its corners. */
-enum { MOST_CORNERS = 1 << 23, MOST_FACES = 1 << 20, MOST_FACE_CORNERS = 1024 };
 
 struct import {
     const char *path;
@@ -124,7 +124,7 @@ static bool vertex_of(struct import *import, const struct aiVector3D *v, double 
 static void note_step(struct import *import, const double v[3])
 {
     const double(*m)[4] = (const double(*)[4])import->transform.m;
-    const bool is_double = import->numbers.table.count && !import->numbers.is_float32;
+    const bool is_double = import->numbers.table.count > 0;
     for (int axis = 0; axis < 3; axis++) {
         double step_m = 0;
         for (int i = 0; i < 3 && !is_double; i++)
@@ -236,6 +236,12 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
         import->holes = picture_transparency(&import->model->pictures[import->picture - 1]);
 }
 
+/* What a file says is no number is not missing. */
+static double said(float number)
+{
+    return isnan(number) ? (double)INFINITY : (double)number;
+}
+
 /* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
 static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t first_point)
 {
@@ -247,8 +253,8 @@ static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t f
         import->uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[import->uv_set] : NULL;
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
         double *uv = model->uvs[first_point + i];
-        uv[0] = uvs ? uvs[i].x : NAN;
-        uv[1] = uvs ? 1.0 - uvs[i].y : NAN;
+        uv[0] = uvs ? said(uvs[i].x) : NAN;
+        uv[1] = uvs ? 1.0 - said(uvs[i].y) : NAN;
     }
     return true;
 }
@@ -293,7 +299,10 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
         if (face->mNumIndices < 3) continue;
-        if (!add_face(import, face, first_point, model_face_colour(&import->paint, mesh, face)) ||
+        bool varies;
+        const uint32_t colour = model_face_colour(&import->paint, mesh, face, &varies);
+        import->model->faces_of_many_colours += varies;
+        if (!add_face(import, face, first_point, colour) ||
             !set_transparency(import, model_face_opacity(&import->paint, mesh, face)))
             return false;
     }
@@ -376,20 +385,29 @@ static bool import_level(const char *path, const struct level_path *level, struc
     return level_import(path, !pictures_are_left_out(), model, err);
 }
 
-bool import_model(const char *path, struct model *model, struct error *err)
+static void note_sky(struct model *model, bool has_sky)
 {
-    struct level_path level;
-    *model = (struct model){0};
-    if (level_path_parse(path, &level)) return import_level(path, &level, model, err);
-    if (!model_io_check(path, err) || !model_is_whole(path, err)) return false;
+    if (pictures_sky() && !pictures_are_left_out() && !has_sky)
+        model_note(model, "--sky: no material of that name has a picture");
+}
+
+static void take_unit(struct import *import)
+{
+    const double unit_m = model_unit_m(import->path, import->scene);
+    if (unit_m != 1) model_to_metres(import->model, unit_m);
+    float_step_note(import->model, import->step_m * unit_m);
+}
+
+static bool import_by_library(const char *path, struct model *model, struct error *err)
+{
+    if (!model_is_whole(path, err)) return false;
     struct import import = {.path = path, .model = model, .err = err};
     companions_begin(path);
     if (!vertex_numbers_make(path, &import.numbers, err)) return false;
     import.scene = import_file(path, &import.numbers.file, err);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
-    if (ok) float_step_note(model, import.step_m);
-    if (ok && pictures_sky() && !pictures_are_left_out() && !import.has_sky)
-        model_note(model, "--sky: no material of that name has a picture");
+    if (ok) take_unit(&import);
+    if (ok) note_sky(model, import.has_sky);
     motions_free(&import.motions);
     masked_pictures_free(&import.masked);
     node_transforms_free(&import.transforms);
@@ -397,4 +415,25 @@ bool import_model(const char *path, struct model *model, struct error *err)
     vertex_numbers_free(&import.numbers);
     if (!ok) model_free(model);
     return ok;
+}
+
+static bool import_own(const char *path, model_builder *read, struct model *model, struct error *err)
+{
+    const bool ok = model_build_from(path, read, model, err);
+    if (ok) note_sky(model, false);
+    return ok;
+}
+
+bool import_model(const char *path, struct model *model, struct error *err)
+{
+    struct level_path level;
+    *model = (struct model){0};
+    if (level_path_parse(path, &level)) return import_level(path, &level, model, err);
+    if (!model_io_check(path, err)) return false;
+    model_builder *const own = own_format_of(path);
+    if (!(own ? import_own(path, own, model, err) : import_by_library(path, model, err))) return false;
+    if (model->faces_of_many_colours)
+        model_note(model, "%zu faces have colours that change over them; each is drawn in their mean",
+                   model->faces_of_many_colours);
+    return true;
 }

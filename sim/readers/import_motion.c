@@ -6,6 +6,7 @@
 
 #include "base/grow.h"
 #include "base/vec3.h"
+#include "formats/float_step.h"
 #include "readers/motion_assimp.h"
 #include "readers/motion_gltf.h"
 #include "readers/motion_keys.h"

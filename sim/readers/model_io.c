@@ -4,10 +4,10 @@
  * handle, our own record and the bytes; closing the handle frees it. */
 #include "readers/model_io.h"
 
-#include "readers/companion.h"
-#include "readers/inputs.h"
+#include "files/companion.h"
+#include "files/inputs.h"
+#include "files/whole_file.h"
 #include "readers/model_whole.h"
-#include "readers/whole_file.h"
 
 #include <stdint.h>
 #include <stdio.h>

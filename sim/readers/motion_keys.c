@@ -7,8 +7,8 @@
 
 #include "base/grow.h"
 #include "base/vec3.h"
+#include "formats/float_step.h"
 #include "model/pose.h"
-#include "readers/float_step.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,21 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/numbering.h"
 
-#include "readers/decimal.h"
+#include "files/decimal.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-bool is_line_end(char c)
-{
-    return c == '\n' || c == '\r' || c == '\0';
-}
-
-bool is_blank(char c)
-{
-    return c == ' ' || c == '\t';
-}
 
 void numbering_write(struct numbering *work, const char *bytes, size_t size_b)
 {
@@ -42,21 +32,6 @@ void numbering_copy(struct numbering *work, size_t count)
 {
     numbering_write(work, work->at, count);
     numbering_skip(work, count);
-}
-
-size_t words_of(const char *text, const char *end, struct word *words, size_t most)
-{
-    size_t count = 0;
-    for (;;) {
-        while (text < end && (is_blank(*text) || is_line_end(*text)))
-            text++;
-        if (text == end || *text == '#') return count;
-        const char *first = text;
-        while (text < end && !is_blank(*text) && !is_line_end(*text))
-            text++;
-        if (count < most) words[count] = (struct word){first, (size_t)(text - first)};
-        count++;
-    }
 }
 
 bool numbering_parse(struct numbering *work, const struct word *word, double *value)

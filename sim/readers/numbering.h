@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the formats' numberings share: a text read line by line or word by word, and its copy, written with stand-ins
- * for vertices (vertex_table.h). */
+ * A text read line by line or word by word, and its copy, written with stand-ins for vertices (vertex_table.h). */
 #ifndef SIM_NUMBERING_H
 #define SIM_NUMBERING_H
 
 #include "base/error.h"
+#include "files/words.h"
 #include "readers/vertex_table.h"
 
 #include <stddef.h>
@@ -17,28 +17,14 @@ struct numbering {
     char *out;   /* owned by whoever began */
     size_t out_b, out_capacity;
     struct vertex_table table;
-    bool is_float32; /* the coordinates are so in the file */
-    bool is_mended;  /* `out` is to be read even if `table` is empty */
     struct error *err;
 };
-
-struct word {
-    const char *text;
-    size_t length;
-};
-
-/* Ends of lines are newlines, carriage returns and zeros; blanks are spaces and tabs. */
-bool is_line_end(char c);
-bool is_blank(char c);
 
 void numbering_write(struct numbering *work, const char *bytes, size_t size_b);
 
 /* Takes the next `count` characters, which it writes or leaves out, and counts lines. */
 void numbering_copy(struct numbering *work, size_t count);
 void numbering_skip(struct numbering *work, size_t count);
-
-/* Of a line [text, end): the words up to a comment's #; how many there are, of which at most `most` are set. */
-size_t words_of(const char *text, const char *end, struct word *words, size_t most);
 
 /* An error that names the line, unless the word is a decimal number. */
 bool numbering_parse(struct numbering *work, const struct word *word, double *value);
@@ -50,11 +36,8 @@ bool numbering_vertex(struct numbering *work, const double point[3]);
  */
 void numbering_word(struct numbering *work, const struct word *word);
 
-/* The formats. They return false with an error, or true; then `out` is what the library is to read. If `table` is
- * empty there is nothing to be gained, unless the text is mended. */
+/* Returns false with an error, or true; then `out` is what the library is to read. If `table` is empty there is nothing
+ * to be gained. */
 bool number_obj(struct numbering *work);
-bool number_ply(struct numbering *work);
-bool number_stl(struct numbering *work);
-bool number_off(struct numbering *work);
 
 #endif

@@ -3,8 +3,8 @@
 
 #include "base/grow.h"
 #include "base/vec3.h"
+#include "files/whole_file.h"
 #include "model/model_orientation.h"
-#include "readers/whole_file.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #include "readers/source.h"
 
 #include "base/grow.h"
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
 
 #include <ctype.h>
 #include <stdlib.h>

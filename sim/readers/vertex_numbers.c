@@ -6,24 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The library chooses by suffix, too. */
-static bool (*format_of(const char *path))(struct numbering *)
-{
-    static const struct {
-        const char *suffix;
-        bool (*number)(struct numbering *);
-    } formats[] = {{".obj", number_obj}, {".ply", number_ply}, {".stl", number_stl}, {".off", number_off}};
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
-        if (path_has_suffix(path, formats[i].suffix)) return formats[i].number;
-    return NULL;
-}
-
 bool vertex_numbers_make(const char *path, struct vertex_numbers *out, struct error *err)
 {
-    bool (*number)(struct numbering *) = format_of(path);
     struct whole_file file;
     *out = (struct vertex_numbers){0};
-    if (!number) return true;
+    if (!path_has_suffix(path, ".obj")) return true; /* the library chooses by suffix, too */
     if (!whole_file_read(path, &file, err)) return false;
     const int mark_b = whole_file_mark_b(file.bytes, file.size_b);
     const bool is_left = mark_b == WHOLE_FILE_UTF16;
@@ -32,10 +19,10 @@ bool vertex_numbers_make(const char *path, struct vertex_numbers *out, struct er
                              .end = file.bytes + file.size_b,
                              .line = 1,
                              .err = err};
-    const bool ok = is_left || number(&work);
-    if (ok && (work.table.count || work.is_mended)) {
+    const bool ok = is_left || number_obj(&work);
+    if (ok && work.table.count) {
         numbering_write(&work, "", 1);
-        *out = (struct vertex_numbers){{work.out, work.out_b - 1}, work.table, work.is_float32};
+        *out = (struct vertex_numbers){{work.out, work.out_b - 1}, work.table};
     } else {
         free(work.out);
         vertex_table_free(&work.table);

@@ -388,7 +388,8 @@ static struct checking check_all(const struct stage *stage, struct random *rando
     struct checking checking = {.stage = stage};
     struct simulator simulator;
 
-    assert_int_equal(stage->mesh.counts.unmapped, 0);
+    for (int kind = 0; kind < UNMAPPED_KINDS; kind++)
+        assert_int_equal(stage->mesh.counts.unmapped[kind], 0);
     start(&simulator, stage, LIM_NEAREST_FIRST);
     for (int f = 0; f < effort(frames); f++) {
         const struct lim_camera camera = any_camera(stage, random);

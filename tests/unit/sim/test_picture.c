@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Pictures of a model's materials: from files of each format, out of the model, and all that cannot be read. */
+#include "files/companion.h"
+#include "files/picture.h"
 #include "model/model.h"
-#include "readers/companion.h"
 #include "readers/model_import.h"
-#include "readers/picture.h"
 #include "rigs/cmocka_ready.h"
 
 #include <assimp/scene.h>

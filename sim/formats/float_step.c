@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/float_step.h"
+#include "formats/float_step.h"
 
 #include "model/extent.h"
 

@@ -3,10 +3,10 @@
  * Names are looked at as text, as they may say more than what is there; then the file that was opened is asked where it
  * lies, which no link can hide. */
 #define _XOPEN_SOURCE 700
-#include "readers/companion.h"
+#include "files/companion.h"
 
 #include "base/hex.h"
-#include "readers/inputs.h"
+#include "files/inputs.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
  *
  * strtod() rounds correctly, but takes more than decimals. The program never calls setlocale(), so its decimal point
  * is a point. */
-#include "readers/decimal.h"
+#include "files/decimal.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * A descriptor for the whole process: files are opened by libraries' callbacks, which nobody hands anything to. */
-#include "readers/inputs.h"
+#include "files/inputs.h"
 
 #include <string.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
 
 #include "base/input_file.h"
-#include "readers/companion.h"
+#include "files/companion.h"
 
 #include <errno.h>
 #include <stdio.h>

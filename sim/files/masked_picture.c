@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/masked_picture.h"
+#include "files/masked_picture.h"
 
 #include "base/grow.h"
 

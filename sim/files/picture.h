@@ -13,6 +13,10 @@
  * pixels; what may not be read ends the import (companion.h). */
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out);
 
+/* The same of a file beside the model, and of a file's bytes. */
+void picture_read_file(const char *name, struct picture *out);
+void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct picture *out);
+
 /* --no-textures: none is read, for all of the process; faces have the colours of their materials. */
 void pictures_leave_out(void);
 bool pictures_are_left_out(void);

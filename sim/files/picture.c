@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Transparent parts have whatever colour the file gives to them, and how opaque they are is known. */
-#include "readers/picture.h"
+#include "files/picture.h"
 
+#include "files/companion.h"
 #include "pictures/picture_size.h"
-#include "readers/companion.h"
 
 #include <assimp/material.h>
 #include <errno.h>
@@ -264,15 +264,31 @@ bool picture_copy_as_sky(const struct picture *from, struct picture *out)
     return true;
 }
 
+/* Whether it is to be read at all. */
+static bool begin(struct picture *picture, const char *name)
+{
+    memset(picture, 0, sizeof *picture);
+    snprintf(picture->name, sizeof picture->name, "%s", name);
+    picture->left_out = leaves_out;
+    if (leaves_out) refuse(picture, "left out");
+    return !leaves_out;
+}
+
+void picture_read_file(const char *name, struct picture *out)
+{
+    if (begin(out, name)) read_file(out, name);
+}
+
+void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct picture *out)
+{
+    if (begin(out, name)) read_bytes(out, bytes, size_b);
+}
+
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out)
 {
     const struct aiTexture *texture = embedded(scene, name);
-    memset(out, 0, sizeof *out);
-    snprintf(out->name, sizeof out->name, "%s", name);
-    out->left_out = leaves_out;
-    if (leaves_out)
-        refuse(out, "left out");
-    else if (texture && texture->mHeight)
+    if (!begin(out, name)) return;
+    if (texture && texture->mHeight)
         read_raw(out, texture);
     else if (texture)
         read_bytes(out, texture->pcData, texture->mWidth);
