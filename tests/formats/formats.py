@@ -462,6 +462,11 @@ def mf_colours():
     three_mf(PALETTE + square(1, 'pid="101" pindex="1"', ("", 'pid="101" p1="0" p2="2" p3="2"')), item(1))
     mf_seen().shows((0.25, -0.25, (0, 255, 0)), (-0.25, 0.25, (85, 0, 170))).says(
         "1 faces have colours that change over them; each is drawn in their mean")
+    # A triangle's group that is unknown leaves it to its object.
+    mixed = '<m:compositematerials id="8" matid="100" matindices="0 1"><m:composite values="0.5 0.5"/></m:compositematerials>'
+    for whose, colour in (('pid="101" pindex="1"', COLOURS[1]), ('pid="100" pindex="3"', COLOURS[3])):
+        three_mf(PALETTE + mixed + square(1, whose, ('pid="8" p1="0"',) * 2), item(1))
+        mf_seen().shows((0, 0, colour)).says("1 elements are unknown to lib3mf")
     group = '<m:colorgroup id="7"><m:color color="#FFFFFF80"/></m:colorgroup>'
     three_mf(group + square(1, 'pid="7" pindex="0"'), item(1))
     mf_seen().shows((0, 0, (128, 128, 128))).is_quiet()
