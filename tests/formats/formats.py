@@ -507,7 +507,7 @@ def mf_kinds():
     mf_seen().row([BLACK, BLACK, GREY, GREY]).says("2 objects are supports for printing, and left out",
                                                    "1 objects are of the kind 'other', and left out")
     three_mf(square(1, 'type="support"'), item(1))
-    refused("a.3mf", "there are no faces in it")
+    refused("a.3mf", "nothing to draw: of its objects 1 are supports")
     lattice = '<b:beamlattice radius="0.1" minlength="0.01"><b:beams><b:beam v1="0" v2="1"/></b:beams></b:beamlattice></mesh>'
     three_mf(square(1).replace("</mesh>", lattice), item(1),
              names='xmlns:b="http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02" requiredextensions="b"')
@@ -546,11 +546,11 @@ def mf_damage():
     whole = open("a.3mf", "rb").read()
     for data in (whole[:-30], whole[:200], b"hello " * 40):
         open("a.3mf", "wb").write(data)
-        refused("a.3mf", "a.3mf: damaged, or no 3MF file: ")
+        refused("a.3mf", "a.3mf: damaged, or beyond what lib3mf reads: ")
     for resources, items in ((square(1).replace('v2="2"', 'v2="9"'), item(1)), (square(1), item(5)),
                              (square(1).replace('x="0.5"', 'x="nan"'), item(1))):
         three_mf(resources, items)
-        refused("a.3mf", "a.3mf: damaged, or no 3MF file: ")
+        refused("a.3mf", "a.3mf: damaged, or beyond what lib3mf reads: ")
     three_mf(square(1), "")
     refused("a.3mf", "there are no faces in it")
     chain = "".join('<object id="%d"><components>%s</components></object>' % (i, item(i - 1, element="component"))
