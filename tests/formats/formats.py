@@ -323,6 +323,13 @@ def off_vertex_colours():
     Seen("a.off").row(COLOURS).is_quiet()
 
 
+def off_without_a_blank():
+    off("OFF", off_points(), off_faces(["%d %d %d" % colour for colour in COLOURS]))
+    text = open("a.off").read().replace("OFF\n# a comment\n", "OFF")
+    open("a.off", "w").write(text)
+    Seen("a.off").row(COLOURS).is_quiet()
+
+
 def off_many_corners():
     from math import cos, pi, sin
     ring = [(cos(2 * pi * k / 24), sin(2 * pi * k / 24), 0) for k in range(24)]
