@@ -206,8 +206,18 @@ static bool take_unit(struct package *package)
     return true;
 }
 
-/* Codes of lib3mf 1.8. The last two say nothing of what is drawn. */
-enum { UNKNOWN_ELEMENT = 0x80A6, UNKNOWN_EXTENSION = 0x8092, NO_UUID = 0x80B0, NO_DEFAULT = 0x80BB };
+/* Codes of lib3mf 1.8. */
+enum { UNKNOWN_ELEMENT = 0x80A6, UNKNOWN_EXTENSION = 0x8092 };
+
+/* What says nothing of what is drawn: metadata, identifiers, and an object's default where each triangle has its own.
+ */
+static bool is_harmless(uint32_t code)
+{
+    static const uint32_t codes[] = {0x805C, 0x805D, 0x80AE, 0x80B2, 0x80B0, 0x80BB};
+    for (size_t i = 0; i < sizeof codes / sizeof *codes; i++)
+        if (codes[i] == code) return true;
+    return false;
+}
 
 static void note_warning(struct model *model, uint32_t code, uint32_t times, const char *text)
 {
@@ -216,7 +226,7 @@ static void note_warning(struct model *model, uint32_t code, uint32_t times, con
                    times);
     else if (code == UNKNOWN_EXTENSION)
         model_note(model, "it requires an extension that is not read; what that adds or changes is missing");
-    else if (code != NO_UUID && code != NO_DEFAULT)
+    else if (!is_harmless(code))
         model_note(model, "lib3mf warns, %u times: %s", times, text);
 }
 
@@ -246,7 +256,9 @@ static bool read_bytes(const struct package *package, struct whole_file *file)
     if (lib3mf_model_queryreader(package->model, "3mf", &reader)) return fail(package, "reader for it");
     const bool ok = !lib3mf_reader_readfrombuffer(reader, (uint8_t *)file->bytes, file->size_b);
     if (!ok && (lib3mf_getlasterror(reader, &code, &text) || !text)) text = "for a reason that lib3mf does not tell";
-    if (!ok) error_set(package->build->err, "%s: damaged, or no 3MF file: %.*s", package->build->path, SHOWN_B, text);
+    if (!ok)
+        error_set(package->build->err, "%s: damaged, or beyond what lib3mf reads: %.*s", package->build->path, SHOWN_B,
+                  text);
     if (ok) note_warnings(package->build->model, reader);
     lib3mf_release(reader);
     return ok;
@@ -262,6 +274,16 @@ static void note_left_out(const struct package *package)
     looks_3mf_note(&package->looks);
 }
 
+/* What is left out may have been all. */
+static bool has_faces(const struct package *package)
+{
+    if (package->build->model->face_count || !(package->supports || package->others || package->beamed)) return true;
+    return error_set(
+        package->build->err,
+        "%s: nothing to draw: of its objects %zu are supports, %zu are of the kind 'other', %zu are of beams",
+        package->build->path, package->supports, package->others, package->beamed);
+}
+
 bool import_3mf(struct model_build *build)
 {
     struct package package = {.build = build};
@@ -272,7 +294,7 @@ bool import_3mf(struct model_build *build)
         return error_set(build->err, "%s: lib3mf does not begin", build->path);
     }
     package.looks = (struct looks_3mf){.build = build, .model = package.model};
-    const bool ok = read_bytes(&package, &file) && take_unit(&package) && add_items(&package);
+    const bool ok = read_bytes(&package, &file) && take_unit(&package) && add_items(&package) && has_faces(&package);
     if (ok) note_left_out(&package);
     looks_3mf_free(&package.looks);
     lib3mf_release(package.model);

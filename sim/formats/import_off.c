@@ -52,15 +52,19 @@ static bool takes(struct word *word, const char *prefix)
     return true;
 }
 
-/* false: the word is none of these, but the first number, as the word may be left out. */
-static bool read_keyword(struct off *off, struct word word)
+/* false: the word is none of these, but the first number, as the word may be left out. What follows it without a blank
+ * is left of `found`. */
+static bool read_keyword(struct off *off, struct word *found)
 {
+    struct word word = *found;
     off->has_places = takes(&word, "ST");
     off->has_colours = takes(&word, "C");
     off->has_normals = takes(&word, "N");
     off->has_divisor = takes(&word, "4");
     off->has_dimension = takes(&word, "n");
-    return takes(&word, "OFF") && word.length == 0;
+    if (!takes(&word, "OFF") || (word.length && (word.text[0] < '0' || word.text[0] > '9'))) return false;
+    *found = word;
+    return true;
 }
 
 static bool read_dimension(struct off *off)
@@ -86,12 +90,12 @@ static bool read_head(struct off *off)
 {
     struct word word;
     if (!text_any_word(&off->text, &word)) return fail_at_line(off, "there is nothing in it");
-    if (!read_keyword(off, word)) {
+    if (!read_keyword(off, &word)) {
         off->has_places = off->has_colours = off->has_normals = off->has_divisor = off->has_dimension = false;
         return read_counts(off, word);
     }
     if (!read_dimension(off)) return false;
-    if (!text_any_word(&off->text, &word)) return fail_at_line(off, "the file ends within its head");
+    if (!word.length && !text_any_word(&off->text, &word)) return fail_at_line(off, "the file ends within its head");
     if (word_is(&word, "binary")) return fail_at_line(off, "OFF of bytes is not read; save it as text");
     return read_counts(off, word);
 }

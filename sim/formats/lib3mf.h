@@ -65,7 +65,7 @@ int32_t lib3mf_propertyhandler_getcolor(lib3mf_handle properties, uint32_t trian
 int32_t lib3mf_propertyhandler_gettexture(lib3mf_handle properties, uint32_t triangle, struct lib3mf_places *places);
 int32_t lib3mf_defaultpropertyhandler_getpropertytype(lib3mf_handle properties, uint32_t *type);
 int32_t lib3mf_defaultpropertyhandler_getbasematerial(lib3mf_handle properties, uint32_t *materials, uint32_t *index);
-int32_t lib3mf_defaultpropertyhandler_getcolor(lib3mf_handle properties, uint8_t rgba[4]);
+int32_t lib3mf_defaultpropertyhandler_getcolor(lib3mf_handle properties, uint32_t unused, uint8_t rgba[4]);
 int32_t lib3mf_defaultpropertyhandler_gettexture(lib3mf_handle properties, uint32_t *picture, float *u, float *v);
 
 int32_t lib3mf_basematerial_getdisplaycolor(lib3mf_handle materials, uint32_t index, uint8_t *red, uint8_t *green,

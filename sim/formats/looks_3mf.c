@@ -105,7 +105,7 @@ static void take_own(struct looks_3mf *looks, lib3mf_handle properties, uint32_t
 {
     struct lib3mf_places places;
     uint8_t rgba[3][4];
-    uint32_t group, index;
+    uint32_t group = 0, index = 0;
     if (type == LIB3MF_BASE_MATERIAL && !lib3mf_propertyhandler_getbasematerial(properties, triangle, &group, &index))
         add_material(looks, group, index, &look->colour);
     if (type == LIB3MF_COLOUR && !lib3mf_propertyhandler_getcolor(properties, triangle, rgba))
@@ -117,13 +117,13 @@ static void take_own(struct looks_3mf *looks, lib3mf_handle properties, uint32_t
 
 static void take_objects(struct looks_3mf *looks, lib3mf_handle properties, struct build_look *look, double uv[3][2])
 {
-    uint32_t type, group, index;
+    uint32_t type = LIB3MF_NOTHING, group = 0, index = 0; /* lib3mf leaves some unset */
     uint8_t rgba[4];
     float u, v;
     if (!properties || lib3mf_defaultpropertyhandler_getpropertytype(properties, &type)) return;
     if (type == LIB3MF_BASE_MATERIAL && !lib3mf_defaultpropertyhandler_getbasematerial(properties, &group, &index))
         add_material(looks, group, index, &look->colour);
-    if (type == LIB3MF_COLOUR && !lib3mf_defaultpropertyhandler_getcolor(properties, rgba))
+    if (type == LIB3MF_COLOUR && !lib3mf_defaultpropertyhandler_getcolor(properties, 0, rgba))
         add_bytes(rgba, &look->colour);
     if (type == LIB3MF_PLACE && !lib3mf_defaultpropertyhandler_gettexture(properties, &index, &u, &v))
         look->picture = take_places(looks, &(struct lib3mf_places){index, {u, u, u}, {v, v, v}}, uv);

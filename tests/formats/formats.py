@@ -323,6 +323,13 @@ def off_vertex_colours():
     Seen("a.off").row(COLOURS).is_quiet()
 
 
+def off_without_a_blank():
+    off("OFF", off_points(), off_faces(["%d %d %d" % colour for colour in COLOURS]))
+    text = open("a.off").read().replace("OFF\n# a comment\n", "OFF")
+    open("a.off", "w").write(text)
+    Seen("a.off").row(COLOURS).is_quiet()
+
+
 def off_many_corners():
     from math import cos, pi, sin
     ring = [(cos(2 * pi * k / 24), sin(2 * pi * k / 24), 0) for k in range(24)]
@@ -462,6 +469,11 @@ def mf_colours():
     three_mf(PALETTE + square(1, 'pid="101" pindex="1"', ("", 'pid="101" p1="0" p2="2" p3="2"')), item(1))
     mf_seen().shows((0.25, -0.25, (0, 255, 0)), (-0.25, 0.25, (85, 0, 170))).says(
         "1 faces have colours that change over them; each is drawn in their mean")
+    # A triangle's group that is unknown leaves it to its object.
+    mixed = '<m:compositematerials id="8" matid="100" matindices="0 1"><m:composite values="0.5 0.5"/></m:compositematerials>'
+    for whose, colour in (('pid="101" pindex="1"', COLOURS[1]), ('pid="100" pindex="3"', COLOURS[3])):
+        three_mf(PALETTE + mixed + square(1, whose, ('pid="8" p1="0"',) * 2), item(1))
+        mf_seen().shows((0, 0, colour)).says("1 elements are unknown to lib3mf")
     group = '<m:colorgroup id="7"><m:color color="#FFFFFF80"/></m:colorgroup>'
     three_mf(group + square(1, 'pid="7" pindex="0"'), item(1))
     mf_seen().shows((0, 0, (128, 128, 128))).is_quiet()
@@ -502,7 +514,7 @@ def mf_kinds():
     mf_seen().row([BLACK, BLACK, GREY, GREY]).says("2 objects are supports for printing, and left out",
                                                    "1 objects are of the kind 'other', and left out")
     three_mf(square(1, 'type="support"'), item(1))
-    refused("a.3mf", "there are no faces in it")
+    refused("a.3mf", "nothing to draw: of its objects 1 are supports")
     lattice = '<b:beamlattice radius="0.1" minlength="0.01"><b:beams><b:beam v1="0" v2="1"/></b:beams></b:beamlattice></mesh>'
     three_mf(square(1).replace("</mesh>", lattice), item(1),
              names='xmlns:b="http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02" requiredextensions="b"')
@@ -541,11 +553,11 @@ def mf_damage():
     whole = open("a.3mf", "rb").read()
     for data in (whole[:-30], whole[:200], b"hello " * 40):
         open("a.3mf", "wb").write(data)
-        refused("a.3mf", "a.3mf: damaged, or no 3MF file: ")
+        refused("a.3mf", "a.3mf: damaged, or beyond what lib3mf reads: ")
     for resources, items in ((square(1).replace('v2="2"', 'v2="9"'), item(1)), (square(1), item(5)),
                              (square(1).replace('x="0.5"', 'x="nan"'), item(1))):
         three_mf(resources, items)
-        refused("a.3mf", "a.3mf: damaged, or no 3MF file: ")
+        refused("a.3mf", "a.3mf: damaged, or beyond what lib3mf reads: ")
     three_mf(square(1), "")
     refused("a.3mf", "there are no faces in it")
     chain = "".join('<object id="%d"><components>%s</components></object>' % (i, item(i - 1, element="component"))
