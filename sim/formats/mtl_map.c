@@ -157,7 +157,7 @@ static void take_unknown(struct text *line, struct option *option)
     take_numbers(line, MOST_VALUES, option);
     if (option->count) return;
     text_rest(line, &rest);
-    if (rest.length >= sizeof name) return;
+    if (rest.length >= sizeof name || rest.text[0] == '-') return;
     memcpy(name, rest.text, rest.length);
     name[rest.length] = '\0';
     if (!companion_is_there(name)) take_word(line, option);
