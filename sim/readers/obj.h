@@ -25,9 +25,6 @@ struct obj {
     size_t curves, lines, weights; /* curves and surfaces; lines and points; vertices whose weight is not 1 */
 };
 
-/* The first pass over the text: counts, and reads the libraries of materials. */
-bool obj_survey(struct obj *obj, const char *path, const char *bytes, size_t size_b, struct error *err);
-
 /* How the importer library gets its materials: a file of this name has those of all libraries, named by their numbers
  * from 1. What has no material of these has OBJ_NO_MATERIAL. */
 #define OBJ_MATERIALS "\x1fmaterials"

@@ -4,6 +4,7 @@
 #include "files/utf16.h"
 #include "readers/numbering.h"
 #include "readers/obj_library.h"
+#include "readers/obj_survey.h"
 
 #include <stdlib.h>
 
