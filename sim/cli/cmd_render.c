@@ -100,7 +100,8 @@ static void print_notes(const struct compile_report *report)
         if (!report->notes[i].is_detail) notice("%s", report->notes[i].text);
     if (report->mesh.clamped) notice("%zu faces have an opacity beyond 0..1, clamped", report->mesh.clamped);
     for (enum unmapped kind = 0; kind < UNMAPPED_KINDS; kind++)
-        if (report->mesh.unmapped[kind]) notice("%zu faces %s", report->mesh.unmapped[kind], unmapped_words(kind));
+        if (report->mesh.unmapped[kind])
+            notice("%zu faces %s; they have its mean colour", report->mesh.unmapped[kind], unmapped_words(kind));
 }
 
 /* The reference's faces have colours if none of them moves. */

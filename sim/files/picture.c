@@ -3,6 +3,7 @@
  * Transparent parts have whatever colour the file gives to them, and how opaque they are is known. */
 #include "files/picture.h"
 
+#include "base/names.h"
 #include "files/companion.h"
 #include "pictures/picture_size.h"
 
@@ -73,7 +74,7 @@ static void refuse(struct picture *picture, const char *reason)
 static void refuse_import(struct picture *picture, const char *reason)
 {
     struct error err;
-    error_set(&err, "texture %s: %s", picture->name, reason);
+    error_set(&err, "texture %s: %s", name_end(picture->name).text, reason);
     companions_refuse(&err);
     refuse(picture, "refused");
 }
@@ -139,7 +140,7 @@ static void take(struct picture *picture, gdImagePtr image)
 static void read_bytes(struct picture *picture, void *bytes, size_t size_b)
 {
     read_picture *const read = reader_of(bytes, size_b);
-    char reason[TEXTURE_NAME_B];
+    char reason[PICTURE_WORDS_B];
     if (!read) {
         refuse(picture, size_b ? "neither PNG nor JPEG, GIF, BMP or TGA" : "the file is empty");
         return;

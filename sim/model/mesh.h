@@ -36,7 +36,7 @@ struct mapping {
 
 /* One line of text on what could not be taken as it was. */
 struct note {
-    char text[256];
+    char text[512];
     bool is_detail; /* for the report alone */
 };
 

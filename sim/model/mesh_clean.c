@@ -7,6 +7,7 @@
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/progress.h"
+#include "base/rgb888.h"
 #include "model/grid.h"
 #include "model/inner.h"
 #include "model/loop.h"
@@ -86,6 +87,9 @@ static bool set_mapping(struct cleaning *cleaning, const struct loop *loop, stru
     bool is_affine;
     const struct model_face *face = &cleaning->model->faces[polygon->face - 1];
     polygon->mapping = mapping_add(cleaning->mesh, cleaning->model, face, cleaning->welded, loop, &is_affine);
+    const struct texture *texture = face->picture ? &cleaning->mesh->textures[face->picture - 1] : NULL;
+    if (!polygon->mapping && texture && texture->texel_count)
+        polygon->colour = rgb888_times(texture->mean, face->colour);
     return is_affine;
 }
 

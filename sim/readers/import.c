@@ -40,7 +40,8 @@ struct import {
     uint32_t picture, mask;          /* the same; 0: none */
     uint8_t holes;                   /* picture_transparency() of its picture, if that is masked; else 0 */
     struct masked_pictures masked;
-    bool has_sky; /* one of the materials is it */
+    bool has_sky;                   /* one of the materials is it */
+    const struct mtl_material *own; /* what an OBJ file's libraries say of the mesh being read; NULL: nothing */
     unsigned uv_set;
     size_t picture_capacity, point_total;
     struct motions motions;
@@ -169,7 +170,7 @@ static uint32_t picture_number(struct import *import, const char *name)
 {
     struct model *model = import->model;
     for (size_t i = 0; i < model->picture_count; i++)
-        if (strncmp(model->pictures[i].name, name, TEXTURE_NAME_B - 1) == 0) return (uint32_t)i + 1;
+        if (strcmp(model->pictures[i].name, name) == 0) return (uint32_t)i + 1;
     model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
     picture_read(import->scene, name, &model->pictures[model->picture_count]);
     return (uint32_t)++model->picture_count;
@@ -193,9 +194,10 @@ static void take_mask(struct import *import)
     import->mask = 0;
 }
 
-static bool is_sky(const struct aiMaterial *material)
+static bool is_sky(const struct import *import, const struct aiMaterial *material)
 {
     struct aiString name;
+    if (import->own) return pictures_sky() && strcmp(import->own->name, pictures_sky()) == 0;
     return pictures_sky() && aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
            strcmp(name.data, pictures_sky()) == 0;
 }
@@ -220,10 +222,12 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
 {
     struct aiString name;
     import->picture = import->mask = import->holes = 0;
+    import->own = NULL;
     if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
     const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
+    import->own = obj_material(&import->numbers.obj, material);
     if (picture_name_of(material, &name, &import->uv_set)) import->picture = picture_number(import, name.data);
-    if (import->picture && is_sky(material)) {
+    if (import->picture && is_sky(import, material)) {
         take_sky(import);
         return;
     }
@@ -237,9 +241,18 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
 }
 
 /* What a file says is no number is not missing. */
-static double said(float number)
+static double said(double number)
 {
-    return isnan(number) ? (double)INFINITY : (double)number;
+    if (number > (PLACE_NONE + PLACE_NO_NUMBER) / 2) return NAN;
+    return isnan(number) || number > PLACE_NO_NUMBER / 2 ? (double)INFINITY : number;
+}
+
+/* The part of its picture that a material shows. */
+static void change_uv(const struct import *import, double uv[2])
+{
+    const struct mtl_map *map = import->own ? &import->own->maps[MTL_COLOUR] : NULL;
+    for (int i = 0; map && i < 2; i++)
+        uv[i] = uv[i] * map->scale[i] + map->offset[i];
 }
 
 /* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
@@ -253,8 +266,10 @@ static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t f
         import->uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[import->uv_set] : NULL;
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
         double *uv = model->uvs[first_point + i];
-        uv[0] = uvs ? said(uvs[i].x) : NAN;
-        uv[1] = uvs ? 1.0 - said(uvs[i].y) : NAN;
+        uv[0] = uvs ? said((double)uvs[i].x) : NAN;
+        uv[1] = uvs ? said((double)uvs[i].y) : NAN;
+        change_uv(import, uv);
+        uv[1] = 1.0 - uv[1];
     }
     return true;
 }
@@ -354,11 +369,11 @@ static bool refuse(const char *path, struct error *err)
     return error_set(err, "%s: %.*s", path, (int)length, reason);
 }
 
-static const struct aiScene *import_file(const char *path, const struct whole_file *file, struct error *err)
+static const struct aiScene *import_file(const char *path, const struct vertex_numbers *numbers, struct error *err)
 {
     char dropped = false;
     struct aiLogStream log = {.callback = watch_log, .user = &dropped};
-    const struct model_io_instead instead = {path, file->bytes, file->size_b};
+    const struct model_io_instead instead = {path, numbers->file.bytes, numbers->file.size_b, &numbers->materials};
     struct aiFileIO io = model_io(&instead);
     struct aiPropertyStore *settings = aiCreatePropertyStore();
     /* Else a file without a mesh would get one made up from its skeleton. */
@@ -404,11 +419,12 @@ static bool import_by_library(const char *path, struct model *model, struct erro
     struct import import = {.path = path, .model = model, .err = err};
     companions_begin(path);
     if (!vertex_numbers_make(path, &import.numbers, err)) return false;
-    import.scene = import_file(path, &import.numbers.file, err);
+    import.scene = import_file(path, &import.numbers, err);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) take_unit(&import);
     if (ok) note_sky(model, import.has_sky);
     motions_free(&import.motions);
+    if (ok) obj_tell(&import.numbers.obj, model);
     masked_pictures_free(&import.masked);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);
@@ -435,5 +451,6 @@ bool import_model(const char *path, struct model *model, struct error *err)
     if (model->faces_of_many_colours)
         model_note(model, "%zu faces have colours that change over them; each is drawn in their mean",
                    model->faces_of_many_colours);
+    companions_tell(model);
     return true;
 }

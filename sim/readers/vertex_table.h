@@ -13,6 +13,11 @@ struct vertex_table {
     size_t count, capacity;
 };
 
+/* What stands for a texture coordinate that a corner does not have, and for one that is no number. Beyond the middle
+ * between, it is the former; below half of the latter, neither: the library rounds. */
+#define PLACE_NONE 3e38
+#define PLACE_NO_NUMBER 2e38
+
 enum { VERTEX_TABLE_MOST = 1 << 26 };
 
 /* Enters a vertex, of VERTEX_TABLE_MOST at most, and gives what is to be written in its place. */
