@@ -208,6 +208,7 @@ void coplanar_find(const struct mesh *mesh, double (*points)[3], double toleranc
     out->planes = grow_zeroed(out->count, sizeof *out->planes);
     store_planes(&work, out, tolerance_units);
     decide_facings(&work, out);
+    layers_find(mesh, tolerance_units, &out->layers);
     map_free(&work.cells);
     free(work.next);
     free(work.heads);
@@ -219,5 +220,6 @@ void coplanar_free(struct coplanar *coplanar)
     free(coplanar->planes);
     free(coplanar->group);
     free(coplanar->faces_back);
+    layers_free(&coplanar->layers);
     *coplanar = (struct coplanar){0};
 }
