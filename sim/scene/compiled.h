@@ -106,6 +106,7 @@ struct compile_report {
     size_t splits;
     size_t left_out;  /* faces that options.drop_small left out */
     size_t collapsed; /* pieces that the grid rounded to nothing */
+    size_t covered;   /* polygons in one plane with a later one, which lies over a part of them */
     size_t depth;
     size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */
     size_t leaves;             /* nodes without a plane, whose polygons have an order */
