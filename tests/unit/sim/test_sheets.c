@@ -173,18 +173,19 @@ static uint32_t face_at(const struct stack *stack, const struct rays *rays, doub
     return face_along(stack, way);
 }
 
-/* Whether a face is seen within a pixel of a pixel's centre, a strip as narrow as a tenth of one too. */
-static bool is_nearby(const struct stack *stack, const struct rays *rays, int x_px, int y_px, uint32_t face)
+/* Whether a face is seen within so many pixels of a pixel's centre, a strip as narrow as a tenth of one too. */
+static bool is_nearby(const struct stack *stack, const struct rays *rays, int x_px, int y_px, uint32_t face,
+                      int reach_px)
 {
     enum { STEPS = 10 };
-    for (int j = -STEPS; j <= STEPS; j++)
-        for (int i = -STEPS; i <= STEPS; i++)
+    for (int j = -STEPS * reach_px; j <= STEPS * reach_px; j++)
+        for (int i = -STEPS * reach_px; i <= STEPS * reach_px; i++)
             if (face_at(stack, rays, x_px + (double)i / STEPS, y_px + (double)j / STEPS) == face) return true;
     return false;
 }
 
 /* Pixels that show what is not even beside them. */
-static size_t count_wrong(const struct stack *stack, const uint32_t *drawn)
+static size_t count_wrong(const struct stack *stack, const uint32_t *drawn, int reach_px)
 {
     struct rays rays;
     size_t wrong = 0;
@@ -192,7 +193,7 @@ static size_t count_wrong(const struct stack *stack, const uint32_t *drawn)
     for (int y = 0; y < SIDE_PX; y++)
         for (int x = 0; x < SIDE_PX; x++) {
             const uint32_t face = drawn[y * SIDE_PX + x];
-            wrong += face_at(stack, &rays, x, y) != face && !is_nearby(stack, &rays, x, y, face);
+            wrong += face_at(stack, &rays, x, y) != face && !is_nearby(stack, &rays, x, y, face, reach_px);
         }
     return wrong;
 }
@@ -237,7 +238,7 @@ static size_t draw_wrong(const struct stack *stack, const struct core *core, con
         fail_msg("%s", err.text);
     const struct lim_camera camera = camera_of(stack, &scene);
     if (!ids_frame(&ids, &camera, &err)) fail_msg("%s", err.text);
-    const size_t wrong = count_wrong(stack, ids.faces);
+    const size_t wrong = count_wrong(stack, ids.faces, core->profile == LIM_PROFILE_DRAFT ? 2 : 1);
     *covered = scene.report.covered;
     ids_free(&ids);
     compiled_free(&scene);
@@ -253,12 +254,11 @@ static const struct way WAYS[] = {
     {TREE_CLUSTERS, LIM_NEAREST_FIRST, COORDINATES_32}};
 static const double HALVES_M[] = {5, 100, 1000, 20000, 500000};
 
-/* Of draft, whose edges are off by more than a pixel here and there, a few. */
 static void expect_right(const struct stack *stack, const struct core *core, const struct way *way, int number)
 {
     size_t covered;
     const size_t wrong = draw_wrong(stack, core, way, &covered);
-    if (wrong > (core->profile == LIM_PROFILE_DRAFT ? SIDE_PX / 8 : 0))
+    if (wrong)
         fail_msg("stack %d of %d sheets, %g m, %s, tree %s, method %d, %d bits: %zu pixels are wrong", number,
                  stack->count, stack->half_m, core->name, tree_names[way->tree], way->method,
                  way->coordinates == COORDINATES_32 ? 32 : 16, wrong);
