@@ -23,17 +23,22 @@ enum { NAMED = 3, ROUNDS = 8 };
 static const double COVERED_UNITS = 2.0; /* a surface that is as near takes a sliver's place */
 static const double JOINED = 2.0;        /* how much larger faces may be that are left out with one */
 
+/* The planes of a face's records, each once: a bent face has several. */
+struct face_planes {
+    const struct lim_plane_ref **refs;
+    size_t count, capacity;
+};
+
 /* What is asked of every face. */
 struct judging {
     const struct original *original;
     const struct mesh *mesh;
     const struct compiled *scene; /* or NULL */
     bool has_fractions;
-    const struct lim_plane_ref *
-        *planes;    /* of each face number of the mesh, by which its records are seen; NULL: none */
-    bool *is_drawn; /* of each: whether it has records. A mesh has records without planes */
-    double seen_m;  /* what is smaller is not looked at */
-    double cut_m;   /* what is smaller is cut away where a camera comes as near; 0: it is not, or was asked for */
+    struct face_planes *planes; /* of each face number of the mesh, by which its records are seen; count 0: none */
+    bool *is_drawn;             /* of each: whether it has records. A mesh has records without planes */
+    double seen_m;              /* what is smaller is not looked at */
+    double cut_m; /* what is smaller is cut away where a camera comes as near; 0: it is not, or was asked for */
     uint8_t *faults;
 };
 
@@ -64,26 +69,60 @@ static double corners_moved(const struct judging *judging, const struct original
     return sqrt(most2);
 }
 
-/* How far the farthest corner is off the plane by which the renderer decides whether the face is seen, units. */
-static double plane_off(const struct judging *judging, const struct original_face *face,
-                        const struct lim_plane_ref *ref)
+static double off_plane(const struct judging *judging, const struct lim_plane_ref *ref, const double at_m[3])
 {
     int64_t n[3], d;
-    double most = 0;
-    if (!ref) return 0; /* the faces of a mesh, and of a mesh leaf, are seen by the corners that are drawn */
+    double at[3];
     plane_exact(&judging->scene->scene, ref, n, &d);
-    const double normal[3] = {(double)n[0], (double)n[1], (double)n[2]}, length = sqrt(vec3_dot(normal, normal));
-    for (uint32_t k = face->first; k < face->first + face->count; k++) {
-        double at[3];
-        to_units(&judging->mesh->grid, judging->original->corners_m[k], at);
-        most = fmax(most, fabs(vec3_dot(normal, at) - (double)d) / length);
-    }
-    return most;
+    const double normal[3] = {(double)n[0], (double)n[1], (double)n[2]};
+    to_units(&judging->mesh->grid, at_m, at);
+    return fabs(vec3_dot(normal, at) - (double)d) / sqrt(vec3_dot(normal, normal));
 }
 
-static const struct lim_plane_ref *plane_of(const struct judging *judging, size_t face)
+static double off_planes(const struct judging *judging, const struct face_planes *planes, const double at_m[3])
 {
-    return judging->planes[judging->mesh->merged_into[face + 1]];
+    double least = INFINITY;
+    for (size_t i = 0; i < planes->count; i++)
+        least = fmin(least, off_plane(judging, planes->refs[i], at_m));
+    return least;
+}
+
+static int by_face(const void *face, const void *piece)
+{
+    const uint32_t a = *(const uint32_t *)face, b = ((const struct mesh_piece *)piece)->face;
+    return (a > b) - (a < b);
+}
+
+/* Pieces of a face that are not where its first one is; *end is behind the last. NULL: there are none. */
+static const struct mesh_piece *pieces_of(const struct mesh *mesh, uint32_t face, const struct mesh_piece **end)
+{
+    const struct mesh_piece *all = mesh->pieces, *first;
+    if (!mesh->piece_count || !(first = bsearch(&face, all, mesh->piece_count, sizeof *all, by_face))) return NULL;
+    for (*end = first; *end < all + mesh->piece_count && (*end)->face == face; ++*end)
+        ;
+    while (first > all && first[-1].face == face)
+        first--;
+    return first;
+}
+
+/* How far the farthest corner is off the plane of its part of the face, by which the renderer decides whether that is
+ * seen, units. A bent face is several triangles, each with a plane of its own. */
+static double plane_off(const struct judging *judging, size_t index)
+{
+    const struct original_face *face = &judging->original->faces[index];
+    const uint32_t number = (uint32_t)index + 1;
+    const struct face_planes *first = &judging->planes[judging->mesh->merged_into[number]];
+    const struct mesh_piece *end = NULL, *pieces = pieces_of(judging->mesh, number, &end);
+    double most = 0;
+    if (!first->count) return 0; /* the faces of a mesh, and of a mesh leaf, are seen by the corners that are drawn */
+    for (uint32_t k = face->first; k < face->first + face->count; k++) {
+        const double *at_m = judging->original->corners_m[k];
+        double off = off_planes(judging, first, at_m);
+        for (const struct mesh_piece *piece = pieces; piece && piece < end; piece++)
+            off = fmin(off, off_planes(judging, &judging->planes[piece->into], at_m));
+        most = fmax(most, off);
+    }
+    return most;
 }
 
 static bool is_drawn(const struct judging *judging, size_t face)
@@ -93,6 +132,15 @@ static bool is_drawn(const struct judging *judging, size_t face)
 
 /* Planes ------------------------------------------------------------------------------------- */
 
+static void plane_add(struct face_planes *planes, const struct lim_plane_ref *ref)
+{
+    for (size_t i = 0; ref && i < planes->count; i++)
+        if (planes->refs[i]->plane == ref->plane && planes->refs[i]->offset == ref->offset) return;
+    if (!ref) return; /* a mesh leaf's */
+    planes->refs = grow(planes->refs, planes->count, &planes->capacity, sizeof(const struct lim_plane_ref *));
+    planes->refs[planes->count++] = ref;
+}
+
 static void note_run(struct judging *judging, const uint32_t *numbers, lim_index run, const struct lim_plane_ref *split)
 {
     const struct lim_scene *scene = &judging->scene->scene;
@@ -101,7 +149,7 @@ static void note_run(struct judging *judging, const uint32_t *numbers, lim_index
         const uint32_t face = judging->scene->faces[numbers[word]];
         const struct lim_plane_ref *own =
             record_at(scene, word).flags & LIM_POLYGON_PLANE ? lim_record_plane(&scene->polygons[word]) : NULL;
-        if (!judging->planes[face]) judging->planes[face] = split ? split : own;
+        plane_add(&judging->planes[face], split ? split : own);
         if (record_at(scene, word).flags & LIM_POLYGON_LAST) return;
     }
 }
@@ -180,9 +228,7 @@ static enum faithful_fault judge_place(const struct judging *judging, size_t ind
     const bool moved = corners_moved(judging, face, judging->has_fractions) > FAITHFUL_SHARE * size_units;
     if (!judging->scene) return moved ? FAITHFUL_MOVED : FAITHFUL_KEPT;
     if (is_drawn(judging, index))
-        return moved || plane_off(judging, face, plane_of(judging, index)) > FAITHFUL_PLANE_SHARE * size_units
-                   ? FAITHFUL_MOVED
-                   : FAITHFUL_KEPT;
+        return moved || plane_off(judging, index) > FAITHFUL_PLANE_SHARE * size_units ? FAITHFUL_MOVED : FAITHFUL_KEPT;
     if (moved) return FAITHFUL_VANISHED;
     return face->width_m < judging->seen_m || is_covered(judging, face) ? FAITHFUL_KEPT : FAITHFUL_VANISHED;
 }
@@ -218,14 +264,21 @@ static struct judging judging_of(const struct mesh *mesh, const struct compile_o
     return judging;
 }
 
+static void judging_free(struct judging *judging)
+{
+    for (size_t i = 0; judging->planes && i <= judging->mesh->counts.faces; i++)
+        free(judging->planes[i].refs);
+    free(judging->planes);
+    free(judging->is_drawn);
+}
+
 uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene)
 {
     struct judging judging = judging_of(mesh, options, scene);
     uint8_t *faults = grow_zeroed(mesh->original->face_count, sizeof *faults);
     for (size_t i = 0; i < mesh->original->face_count; i++)
         faults[i] = (uint8_t)judge_face(&judging, i);
-    free(judging.planes);
-    free(judging.is_drawn);
+    judging_free(&judging);
     return faults;
 }
 
@@ -255,12 +308,11 @@ static bool exact_helps(const struct mesh *mesh, const struct compile_options *o
         helps = !face->count || face->size_m < judging.seen_m || face->size_m >= judging.cut_m;
         if (!faults[i] || !helps) continue;
         const bool is_known = scene && is_drawn(&judging, i);
-        const double off = is_known ? plane_off(&judging, face, plane_of(&judging, i)) : options->tolerance_units;
+        const double off = is_known ? plane_off(&judging, i) : options->tolerance_units;
         helps = corners_moved(&judging, face, true) <= FAITHFUL_SHARE * size_units &&
                 off <= FAITHFUL_PLANE_SHARE * size_units;
     }
-    free(judging.planes);
-    free(judging.is_drawn);
+    judging_free(&judging);
     return helps;
 }
 

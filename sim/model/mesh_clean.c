@@ -227,6 +227,7 @@ void mesh_free(struct mesh *mesh)
     free(mesh->corners);
     free(mesh->polygons);
     free(mesh->merged_into);
+    free(mesh->pieces);
     map_free(&mesh->inner);
     original_free(mesh->original);
     free(mesh->mappings);
