@@ -254,12 +254,12 @@ static const struct way WAYS[] = {
     {TREE_CLUSTERS, LIM_NEAREST_FIRST, COORDINATES_32}};
 static const double HALVES_M[] = {5, 100, 1000, 20000, 500000};
 
-/* Of draft, which has corners and edges off by pixels here and there, a thousandth of a picture. */
+/* Of draft, which has corners and edges off by pixels here and there, a little of a picture. */
 static void expect_right(const struct stack *stack, const struct core *core, const struct way *way, int number)
 {
     size_t covered;
     const size_t wrong = draw_wrong(stack, core, way, &covered);
-    if (wrong > (core->profile == LIM_PROFILE_DRAFT ? SIDE_PX * SIDE_PX / 1000 : 0))
+    if (wrong > (core->profile == LIM_PROFILE_DRAFT ? SIDE_PX * SIDE_PX / 256 : 0))
         fail_msg("stack %d of %d sheets, %g m, %s, tree %s, method %d, %d bits: %zu pixels are wrong", number,
                  stack->count, stack->half_m, core->name, tree_names[way->tree], way->method,
                  way->coordinates == COORDINATES_32 ? 32 : 16, wrong);
