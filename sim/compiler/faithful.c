@@ -10,6 +10,7 @@
 #include "cameras/camera_path.h"
 #include "compiler/tree_choice.h"
 #include "core/core.h"
+#include "model/extent.h"
 #include "model/grid.h"
 #include "model/original.h"
 #include "scene/records.h"
@@ -238,7 +239,7 @@ static enum faithful_fault judge_face(const struct judging *judging, size_t inde
     const struct original_face *face = &judging->original->faces[index];
     if (!face->count || face->size_m < judging->seen_m) return FAITHFUL_KEPT;
     const enum faithful_fault fault = judge_place(judging, index);
-    return judging->scene && fault == FAITHFUL_KEPT && face->size_m < judging->cut_m ? FAITHFUL_CUT : fault;
+    return fault == FAITHFUL_KEPT && face->size_m < judging->cut_m ? FAITHFUL_CUT : fault;
 }
 
 static bool is_exact(const struct compile_options *options)
@@ -272,7 +273,9 @@ static void judging_free(struct judging *judging)
     free(judging->is_drawn);
 }
 
-uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene)
+/* For each face of the original what became of it; the caller's to free. `scene`: NULL, the grid alone is judged, for
+ * what options->core rounds to. */
+static uint8_t *judge(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene)
 {
     struct judging judging = judging_of(mesh, options, scene);
     uint8_t *faults = grow_zeroed(mesh->original->face_count, sizeof *faults);
@@ -285,7 +288,7 @@ uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *o
 bool faithful_wants_finer(const struct mesh *mesh, const struct compile_options *options)
 {
     if (!mesh->original) return false;
-    uint8_t *faults = faithful_judge(mesh, options, NULL);
+    uint8_t *faults = judge(mesh, options, NULL);
     bool any = false;
     for (size_t i = 0; i < mesh->original->face_count && !any; i++)
         any = faults[i] != FAITHFUL_KEPT;
@@ -336,6 +339,38 @@ static size_t name_faults(const struct original *original, const uint8_t *faults
     return count;
 }
 
+/* Whether coordinates of 32 bits would do. Of the mesh only what it was made from counts, which nobody has welded. */
+static bool long_helps(const struct mesh *mesh, const struct compile_options *options)
+{
+    struct original original = *mesh->original;
+    struct mesh own = *mesh;
+    const struct grid_views views = {.near_m = options->near_m};
+    if (mesh->grid.is_long || options->whole_leaf) return false;
+    original.points = grow_zeroed(original.corner_count, sizeof *original.points);
+    for (uint32_t i = 0; i < original.corner_count; i++)
+        original.points[i] = i;
+    own.original = &original;
+    own.points = original.corners_m;
+    grid_scale_long(extent_longest_side(original.corners_m, original.points, (uint32_t)original.corner_count),
+                    original.faces[original.by_size[0]].size_m, &views, &own.grid);
+    const bool helps = !faithful_wants_finer(&own, options);
+    free(original.points);
+    return helps;
+}
+
+/* What a refusal advises: what draws the model as it is, and only where nothing does, to change it. */
+static const char *advice(const struct mesh *mesh, const struct compile_options *options, bool exact_does)
+{
+    static const char *const texts[2][2] = {
+        {"split the model into several scenes, enlarge what is small", "take --precision exact"},
+        {"take --coordinates 32", "take --coordinates 32, take --precision exact"}};
+    const bool long_does = mesh->original->seen_count && long_helps(mesh, options);
+    if (long_does && !compile_options_may_be_long(options))
+        return exact_does ? texts[0][1]
+                          : "take a method that walks a tree, without --mesh-leaves all, for coordinates of 32 bits";
+    return texts[long_does][exact_does];
+}
+
 static bool refuse(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene,
                    const uint8_t *faults, struct error *err)
 {
@@ -348,14 +383,14 @@ static bool refuse(const struct mesh *mesh, const struct compile_options *option
     if (worst == FAITHFUL_CUT)
         return error_set(err,
                          "face %s%s: %zu of %zu faces are smaller than the distance within which nothing is drawn on a "
-                         "grid with units of %.3g m; split the model into several scenes, or give --near %.3g",
-                         names, more, count, original->seen_count, unit_m,
+                         "grid with units of %.3g m; %s, or give --near %.3g",
+                         names, more, count, original->seen_count, unit_m, advice(mesh, options, false),
                          fmax(options->forced_near_m, lens_forced_near_m(&mesh->grid)) * LENS_PRINTED_UP);
     return error_set(err,
-                     "face %s%s: %zu of %zu faces would vanish or move too far on a grid with units of %.3g m; "
-                     "split the model into several scenes, enlarge what is small, leave it out by --drop-small%s",
+                     "face %s%s: %zu of %zu faces would vanish or move too far on a grid with units of %.3g m; %s, or "
+                     "leave it out by --drop-small",
                      names, more, count, original->seen_count, unit_m,
-                     exact_helps(mesh, options, scene, faults) ? ", or take --precision exact" : "");
+                     advice(mesh, options, exact_helps(mesh, options, scene, faults)));
 }
 
 /* Leaving out -------------------------------------------------------------------------------- */
@@ -402,6 +437,7 @@ struct leaving {
     struct mesh mesh;
     uint8_t *faults; /* of all rounds */
     bool *is_out;    /* of each face number of the mesh */
+    bool is_refused;
 };
 
 /* Of a scene, or of rounding alone: false if it cannot be helped. */
@@ -409,13 +445,15 @@ static bool settle(struct leaving *leaving, const struct compile_options *option
                    bool *changed, struct error *err)
 {
     struct mesh *mesh = &leaving->mesh;
-    uint8_t *faults = faithful_judge(mesh, options, scene);
+    uint8_t *faults = judge(mesh, options, scene);
     bool any = false, ok = true;
     for (size_t i = 0; i < mesh->original->face_count; i++) {
-        if (leaving->faults[i]) faults[i] = FAITHFUL_KEPT; /* it is out already */
+        if (leaving->faults[i]) faults[i] = FAITHFUL_KEPT;                  /* it is out already */
+        if (!scene && faults[i] == FAITHFUL_CUT) faults[i] = FAITHFUL_KEPT; /* perhaps it vanishes, which is worse */
         any |= faults[i] != FAITHFUL_KEPT;
     }
     if (any && !options->drop_small) ok = refuse(mesh, options, scene, faults, err);
+    leaving->is_refused = !ok;
     if (any && ok) {
         add_joined(mesh->original, faults);
         for (size_t i = 0; i < mesh->original->face_count; i++)
@@ -455,11 +493,13 @@ bool faithful_compile(const struct mesh *mesh, const struct compile_options *opt
 {
     *out = (struct compiled){0};
     if (!mesh->original) return tree_choice_compile(mesh, options, out, err);
-    struct leaving leaving = {*mesh, grow_zeroed(mesh->original->face_count, 1),
-                              grow_zeroed(mesh->counts.faces + 1, sizeof *leaving.is_out)};
+    struct leaving leaving = {.mesh = *mesh,
+                              .faults = grow_zeroed(mesh->original->face_count, 1),
+                              .is_out = grow_zeroed(mesh->counts.faces + 1, sizeof *leaving.is_out)};
     leaving.mesh.polygons = grow_zeroed(mesh->polygon_count, sizeof *mesh->polygons);
     memcpy(leaving.mesh.polygons, mesh->polygons, mesh->polygon_count * sizeof *mesh->polygons);
     const bool ok = compile_kept(&leaving, options, out, err);
+    out->report.is_refused = !ok && leaving.is_refused;
     free(leaving.mesh.polygons);
     free(leaving.faults);
     free(leaving.is_out);
@@ -471,29 +511,4 @@ void faithful_note(const struct compiled *scene)
     if (scene->report.left_out)
         notice("--drop-small left out %zu of %zu faces, too small for the grid", scene->report.left_out,
                scene->report.mesh.faces);
-}
-
-/* Which grid -------------------------------------------------------------------------------- */
-
-static bool clean_long(const struct model *model, double near_m, struct mesh *mesh, struct error *err)
-{
-    struct grid grid;
-    return grid_choose_long(model, near_m, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
-}
-
-bool faithful_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
-                    struct error *err)
-{
-    enum coordinates coordinates;
-    if (!compile_options_coordinates(options, &coordinates, err)) return false;
-    if (coordinates == COORDINATES_32) return clean_long(model, options->near_m, mesh, err);
-    struct error refused = {0};
-    const bool ok = mesh_clean(model, mesh, &refused);
-    if (coordinates == COORDINATES_16) {
-        if (!ok) *err = refused;
-        return ok;
-    }
-    if (ok && !faithful_wants_finer(mesh, options)) return true;
-    if (ok) mesh_free(mesh);
-    return clean_long(model, options->near_m, mesh, err);
 }

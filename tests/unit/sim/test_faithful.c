@@ -95,8 +95,7 @@ static void a_box_below_a_unit_is_refused_and_named(void **state)
     model = floor_model();
     add_box(&model, 10.2, 0.4);
     expect_refused(&model, &core_fast,
-                   "units of 1 m; split the model into several scenes, enlarge what is small, "
-                   "leave it out by --drop-small");
+                   "units of 1 m; take --coordinates 32, or leave it out by --drop-small");
 }
 
 static void a_box_that_stays_but_loses_its_shape_is_refused(void **state)
@@ -115,7 +114,7 @@ static void exact_holds_what_its_fractions_hold_and_is_recommended_there(void **
     (void)state;
     struct model model = floor_model();
     add_box(&model, 10.3, 5.4);
-    expect_refused(&model, &core_fast, ", or take --precision exact");
+    expect_refused(&model, &core_fast, "; take --coordinates 32, take --precision exact, or leave");
     model = floor_model();
     add_box(&model, 10.3, 5.4);
     expect_kept(&model, &core_exact);
