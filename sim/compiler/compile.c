@@ -5,6 +5,7 @@
 
 #include "accuracy/predict.h"
 #include "base/grow.h"
+#include "compiler/coordinates.h"
 #include "compiler/faithful.h"
 #include "compiler/mesh_choice.h"
 #include "compiler/mesh_leaf_choice.h"
@@ -81,14 +82,28 @@ static bool compile_cleaned(const struct model *model, struct mesh *mesh, const 
     return ok;
 }
 
+/* What the grid alone did not tell: the tree's planes break the promise of some face. */
+static bool compile_long(const struct model *model, const struct compile_options *options, struct compiled *out,
+                         struct error *err)
+{
+    struct compile_options own = *options;
+    struct mesh mesh;
+    own.coordinates = COORDINATES_32;
+    if (!coordinates_clean(model, &own, &mesh, err)) return false;
+    const bool ok = compile_cleaned(model, &mesh, &own, out, err);
+    mesh_free(&mesh);
+    return ok;
+}
+
 bool compile_part(const struct model *model, const struct grid *grid, const struct compile_options *options,
                   struct compiled *out, struct error *err)
 {
     struct mesh mesh;
-    if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : faithful_clean(model, options, &mesh, err))) return false;
+    if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : coordinates_clean(model, options, &mesh, err))) return false;
     bool ok = compile_cleaned(model, &mesh, options, out, err);
+    const bool may_retry = !ok && !grid && out->report.is_refused && coordinates_may_retry(&mesh, options);
     mesh_free(&mesh);
-    return ok;
+    return may_retry ? compile_long(model, options, out, err) : ok;
 }
 
 bool compile_model(const char *path, const struct compile_options *options, struct compiled *out, struct error *err)

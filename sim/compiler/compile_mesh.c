@@ -86,6 +86,7 @@ static void report_tree(struct compile_report *report, const struct bsp *bsp, co
                         const struct splitter *splitter)
 {
     report->splits = bsp->splits;
+    report->covered = bsp->coplanar->layers.covered;
     report->worst_violation_units = bsp_worst_violation(bsp);
     for (size_t i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].split.plane != LIM_NO_INDEX)

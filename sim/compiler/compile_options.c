@@ -128,7 +128,7 @@ bool compile_options_may_leaf(const struct compile_options *options)
     return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
 }
 
-static bool may_be_long(const struct compile_options *options)
+bool compile_options_may_be_long(const struct compile_options *options)
 {
     const enum lim_method draws = compile_options_draws(options);
     if (options->drop_small) return false;
@@ -138,7 +138,7 @@ static bool may_be_long(const struct compile_options *options)
 
 bool compile_options_coordinates(const struct compile_options *options, enum coordinates *out, struct error *err)
 {
-    const bool may = may_be_long(options);
+    const bool may = compile_options_may_be_long(options);
     *out = may ? options->coordinates : COORDINATES_16;
     return may || options->coordinates != COORDINATES_32 ||
            error_set(err, "--coordinates 32: not with --drop-small, mesh leaves, or methods that do not walk a tree");

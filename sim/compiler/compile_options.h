@@ -59,6 +59,7 @@ struct compile_options {
     double forced_near_m;    /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
     bool drop_small;         /* leave out what is too small for the grid, instead of refusing the model */
     struct camera_path path; /* cameras that it is chosen for, compile_options_free()'s; empty: sampled ones */
+    struct camera_path eyes; /* cameras that must see it, somebody else's; empty: they are not known */
     size_t worst_tries;      /* cameras to search the worst views among, for pools that hold them; 0: none */
     bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
 };
@@ -103,6 +104,9 @@ bool compile_options_may_leaf(const struct compile_options *options);
 /* The coordinates that a model's scene may have: what is not drawn by a method that walks a tree of all polygons cannot
  * be long (firmware/long.h), and has 16 bits. Refuses it where 32 were asked for. */
 bool compile_options_coordinates(const struct compile_options *options, enum coordinates *out, struct error *err);
+
+/* Whether a scene may have 32 where it needs them. */
+bool compile_options_may_be_long(const struct compile_options *options);
 
 /* What options own: after the scenes, which may lead into it, whether they were parsed or not. */
 void compile_options_free(struct compile_options *options);

@@ -10,6 +10,7 @@
 #include "base/rgb888.h"
 #include "cameras/random_path.h"
 #include "compiler/compile_mesh.h"
+#include "compiler/coordinates.h"
 #include "compiler/faithful.h"
 #include "compiler/texture_plan.h"
 #include "scene.h"
@@ -190,7 +191,7 @@ bool texture_budget_apply(struct model *model, const struct compile_options *opt
 {
     struct mesh mesh;
     if (!has_budget || !model->picture_count) return true;
-    if (!faithful_clean(model, options, &mesh, err)) return false;
+    if (!coordinates_clean(model, options, &mesh, err)) return false;
     const bool ok = mesh_textures_enlarge(model, &mesh, err) && plan_and_apply(model, &mesh, options, err);
     mesh_free(&mesh);
     return ok;

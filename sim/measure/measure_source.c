@@ -10,6 +10,7 @@
 #include "base/grow.h"
 #include "base/vec3.h"
 #include "compiler/compile.h"
+#include "compiler/coordinates.h"
 #include "compiler/faithful.h"
 #include "compiler/mesh_choice.h"
 #include "compiler/mesh_leaf_choice.h"
@@ -82,7 +83,7 @@ static bool read_mesh(struct measure_source *source, const struct model *model, 
 {
     struct mesh *mesh = &source->mesh;
     const struct model view = source_view(model);
-    if (!faithful_clean(model, options, mesh, err)) return false;
+    if (!coordinates_clean(model, options, mesh, err)) return false;
     if (!mesh_clean_fine(&view, &mesh->grid, &source->fine, err) ||
         !reference_init(&source->reference, &source->fine, w_px, h_px, err) ||
         !(options->keep_faces || mesh_merge(mesh, err)) || !mesh_insert_t_vertices(mesh, err))

@@ -105,7 +105,9 @@ struct compile_report {
     size_t polygons_in, polygons_out; /* before and after splitting */
     size_t splits;
     size_t left_out;  /* faces that options.drop_small left out */
+    bool is_refused;  /* there is no scene, as it would not keep its promise (faithful.h) */
     size_t collapsed; /* pieces that the grid rounded to nothing */
+    size_t covered;   /* polygons in one plane with a later one, which lies over a part of them */
     size_t depth;
     size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */
     size_t leaves;             /* nodes without a plane, whose polygons have an order */
