@@ -10,6 +10,9 @@
 export CCACHE # limner measure compiles, too
 
 # A make that a test starts shares nothing with the make that started the test.
+# Nothing that was remembered before is to answer for what is tested; who tests remembering says where.
+export XDG_CACHE_HOME=/nonexistent
+
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
 tap_count=0

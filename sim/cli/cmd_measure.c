@@ -62,8 +62,8 @@ static bool prepare(struct measurement *measurement, struct error *err)
         return error_set(err, "measure: out of memory");
     if (!compile_rows(measurement, err)) return false;
     measure_refusals_print(&measurement->table.refused, "limner: note: ", stderr);
-    faithful_note(&measurement->scenes.plain);
-    faithful_note(&measurement->scenes.fractions);
+    for (int i = 0; i < MEASURE_PROFILES; i++)
+        faithful_note(&measurement->scenes.of[i]);
     return measure_request_cameras(request, measurement->candidates[0].scene, &measurement->lens, &measurement->path,
                                    err);
 }

@@ -3,6 +3,7 @@
  * The host program `limner`: hands its arguments to a subcommand. */
 #include "agree.h"
 #include "base/arguments.h"
+#include "base/cache.h"
 #include "base/deadline.h"
 #include "base/ending.h"
 #include "base/streams.h"
@@ -118,6 +119,7 @@ int main(int argc, char **argv)
 {
     streams_prepare();
     ending_prepare();
+    cache_begin();
     const int status = run(argc, argv);
     if (status == 0) deadline_tell();
     return streams_end(status);

@@ -326,7 +326,7 @@ bool moving_compile(const char *path, const struct compile_options *options, con
     struct model model;
     *moving = (struct moving){0};
     if (!model_read(path, &options->orientation, &model, err)) return false;
-    if (options->predict && !source_take(path, &model, err)) {
+    if (!compile_source(path, &model, options, err)) {
         model_free(&model);
         return false;
     }

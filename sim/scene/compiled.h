@@ -156,9 +156,10 @@ struct compiled {
     struct grid grid;
     uint32_t *faces;           /* polygon_count entries: face number (1-based) of each record, in order */
     struct original *original; /* the model's faces, shared; NULL: not known, as of a .lim file */
+    uint32_t *groups;          /* mesh.merged_into, owned; NULL: not known, as of a .lim file */
     void *image;               /* the .lim file's bytes, owned */
     size_t image_b;
-    struct compile_report report; /* all zero when read from a file */
+    struct compile_report report; /* all zero but .draws when read from a file */
 };
 
 void compiled_free(struct compiled *scene);
