@@ -11,7 +11,9 @@
 #include "compiler/faithful.h"
 #include "core/core.h"
 #include "measure/measure_request.h"
+#include "measure/shimmer.h"
 #include "measure/measure_table.h"
+#include "measure/shimmer.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -84,6 +86,16 @@ static void leave_out(struct measure_table *table, size_t runs)
         table->cpu_count = 0;
 }
 
+static bool measure_shimmer(struct measurement *measurement, const struct measure_views *views, struct error *err)
+{
+    struct measure_table *table = &measurement->table;
+    for (size_t i = 0; i < table->row_count; i++) {
+        progress_bar(i, table->row_count, "shimmer, %s", table->rows[i].core->name);
+        if (!shimmer_measure(&measurement->candidates[i], views, &table->rows[i].accuracy.shimmer, err)) return false;
+    }
+    return true;
+}
+
 static bool measure_costs(struct measurement *measurement, const struct measure_views *views, struct error *err)
 {
     struct measure_table *table = &measurement->table;
@@ -121,6 +133,7 @@ static bool measure_all(struct measurement *measurement, struct error *err)
         return false;
     for (size_t i = 0; i < table->row_count; i++)
         table->rows[i].accuracy = measurement->accuracies[i];
+    if (!measure_shimmer(measurement, &views, err)) return false;
     if (!measure_costs(measurement, &views, err)) return false;
     measure_table_judge(table);
     return true;

@@ -61,9 +61,10 @@ static bool compile_cleaned(const struct model *model, struct mesh *mesh, const 
                             struct compiled *out, struct error *err)
 {
     struct mesh fine = {0};
+    const bool is_asked = options->predict || decision_asks_reference(options);
     const bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
-                    clean_for_reference(model, &mesh->grid, &fine, err) &&
-                    decision_make(mesh, &fine, options, out, err) &&
+                    (!is_asked || clean_for_reference(model, &mesh->grid, &fine, err)) &&
+                    decision_make(mesh, is_asked ? &fine : NULL, options, out, err) &&
                     (!options->predict || predict(mesh, &fine, options, out, err));
     mesh_free(&fine);
     if (!ok) return false;
@@ -85,6 +86,7 @@ bool compile_part(const struct model *model, const struct grid *grid, const stru
 bool compile_source(const char *path, struct model *model, const struct compile_options *options, struct error *err)
 {
     bool known;
+    if (!options->predict && !decision_asks_reference(options)) return true;
     return options->predict ? source_take(path, model, err) : source_find(path, model, &known, err);
 }
 

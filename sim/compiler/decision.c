@@ -41,13 +41,20 @@ static bool hold_against(const struct mesh *mesh, const struct mesh *fine, const
     return ok;
 }
 
+bool decision_asks_reference(const struct compile_options *options)
+{
+    const bool is_exact = options->core && options->core->profile == LIM_PROFILE_EXACT;
+    const bool is_open = (!options->method && options->tree == TREE_AUTO) || options->leaves_open;
+    return options->choose_order && is_open && !is_exact;
+}
+
 /* What was cut short by the time is not remembered: it hangs on the machine. */
 static bool decide(const struct mesh *mesh, const struct mesh *fine, const struct compile_options *options,
                    struct compiled *out, struct error *err)
 {
     uint8_t key[CACHE_KEY_B];
     const bool remembers = cache_is_open();
-    if (remembers) decision_key(key, mesh, fine, options);
+    if (remembers) decision_key(key, mesh, decision_asks_reference(options) ? fine : NULL, options);
     if (remembers && decision_cache_find(key, mesh, options, out)) return true;
     const size_t cuts = deadline_cuts();
     if (!faithful_compile(mesh, options, out, err)) return false;

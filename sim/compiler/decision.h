@@ -9,8 +9,11 @@
 #include "compiler/compile_options.h"
 #include "scene/compiled.h"
 
+/* Whether the reference may have a say: what is named is not chosen, and exact keeps its tree. */
+bool decision_asks_reference(const struct compile_options *options);
+
 /* From a mesh that has its T-vertices to the scene. `fine`: the file's faces as the reference sees them
- * (mesh_clean_fine()); only their places count. options->predict changes nothing. */
+ * (mesh_clean_fine()); only their places count; NULL where it has no say. options->predict changes nothing. */
 bool decision_make(const struct mesh *mesh, const struct mesh *fine, const struct compile_options *options,
                    struct compiled *out, struct error *err);
 

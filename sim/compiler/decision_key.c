@@ -185,7 +185,7 @@ void decision_key(uint8_t key[CACHE_KEY_B], const struct mesh *mesh, const struc
 {
     struct bytes bytes = {0};
     add_mesh(&bytes, mesh);
-    add_polygons(&bytes, fine);
+    if (fine) add_polygons(&bytes, fine);
     add_options(&bytes, options);
     cache_key(key, bytes.items, bytes.count);
     free(bytes.items);

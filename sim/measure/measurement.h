@@ -44,8 +44,18 @@ bool measure_source_compile(const struct measure_source *source, const struct co
 
 void measure_source_free(struct measure_source *source);
 
+/* Changed pixels of slow moves, and those of them that were soon as before (shimmer.h). */
+struct shimmer_count {
+    size_t changed, back;
+};
+struct shimmer {
+    bool known; /* there was time */
+    struct shimmer_count turn, walk;
+};
+
 struct accuracy {
     struct comparison pixels;
+    struct shimmer shimmer; /* not by measure_accuracy() */
     /* Vertices of polygons that are seen, once a frame, unless clipped or made by splitting: how far the
      * renderer's point is from the double projection of the model's. */
     size_t vertices, vertices_without_source;
