@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A file an entry, named by its key in hexadecimal: a digest of what follows, then the bytes. Each is written beside its
- * place, and renamed. */
+ * A file an entry, named by its key in hexadecimal: a digest of what follows, then the bytes. Each is written beside
+ * its place, and renamed. */
 #include "base/cache.h"
 
 #include "base/grow.h"
@@ -19,7 +19,7 @@
 enum { FOLDER_B = 1024, NAME_DIGITS = 2 * CACHE_KEY_B, PATH_B = FOLDER_B + NAME_DIGITS + 16, STALE_S = 3600 };
 _Static_assert((int)CACHE_KEY_B == (int)SHA256_B, "a key is a digest");
 
-static char folder[FOLDER_B];          /* empty: there is none */
+static char folder[FOLDER_B];         /* empty: there is none */
 static uint8_t program_key[SHA256_B]; /* of this build */
 
 /* The folder ---------------------------------------------------------------------------------- */

@@ -28,6 +28,7 @@ static const struct command {
                 {"measure", cmd_measure, true},
                 {"compare", cmd_compare, true},
                 {"splitters", cmd_splitters, true},
+                {"sweep", cmd_sweep, false},
                 {"play", cmd_play, true},
                 {"devices", cmd_devices, false},
                 {"bridge", cmd_bridge, false},

@@ -32,6 +32,7 @@ enum {
     WORST = 1 << 19,
     PAGE = 1 << 20,
     WALK = 1 << 22, /* 21: wad, which takes none */
+    SWEEP = 1 << 23,
     ONE = WORST | PAGE,
     SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG | EXPORT,
     MODELS = SCENES | MEASURE | COMPARE | SPLITTERS | ONE,
@@ -92,6 +93,10 @@ static const struct usage_command COMMANDS[] = {
     {"walk", "MODEL|SCENE.lim -o FILE.cam",
      "Walks through a scene by itself, stopped by walls, up and down steps, to see all of it: cameras for render.",
      "limner walk freedoom1.wad:E1M1 --frames 256 -o walk.cam"},
+    {"sweep", "MODEL... -o DIR",
+     "Plans a `limner measure` for each model and setting, as commands for sh, GNU parallel or Slurm; joins their "
+     "results.",
+     "limner sweep a.obj b.obj --precision fast,exact --method auto,nearest -o out/sweep"},
 };
 
 static const struct usage_entry ENTRIES[] = {
@@ -247,6 +252,16 @@ static const struct usage_entry ENTRIES[] = {
     {MEASURE, "  --core LIST         processors: m0plus, m3, m4, m33, rv32 (all)\n"},
     {MEASURE, "  --optimise NAME     what the code is for: speed, balance or size (speed: -O2; the others: -Os)\n"},
     {MEASURE | COMPARE, "  --no-cost           accuracy only: takes neither compilers nor emulators\n"},
+    {MEASURE | ALONE,
+     "  --result FILE       its figures in one file, for `limner sweep --merge`, with hashes of all that was read\n"},
+    {0, "sweep, which takes what measure takes, but for --result, for all of its jobs:\n"},
+    {SWEEP | ALONE,
+     "  -o DIR              jobs, one a line, slurm.sh, which makes an array of them, and results.list\n"
+     "  --precision LIST    names, divided by commas (the four profiles)\n"
+     "  --method LIST       names, divided by commas; auto: what compile chooses (auto)\n"
+     "  --merge DIR         no jobs: their results become sweep.csv; with instructions front.csv, the means of each\n"
+     "                      setting over all models, and front.png. Refused: results that are missing, of another\n"
+     "                      version, or of files that have changed since\n"},
     {0, "compare:\n"},
     {0, "  --camera, --size, --fov, --near, --unlit, --keep-faces, --no-cost as above\n"},
     {COMPARE, "  -o DIR              compare.md, compare.csv, and in red what is wrong: sheet.png, METHOD.png\n"},

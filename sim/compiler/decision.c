@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A tree first; then, if that is cheaper and as right, a mesh without one, or dense parts as leaves. The reference has a
- * say in both. */
+ * A tree first; then, if that is cheaper and as right, a mesh without one, or dense parts as leaves. The reference has
+ * a say in both. */
 #include "compiler/decision.h"
 
 #include "accuracy/predict.h"

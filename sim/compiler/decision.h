@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * The one decision of how a model is drawn: by which method, on which tree, with which parts as mesh leaves, with what
- * portals show or without. Every command that draws or compiles a model takes it here, so what one draws is what another
- * writes. What was decided before is remembered (decision_cache.h). */
+ * portals show or without. Every command that draws or compiles a model takes it here, so what one draws is what
+ * another writes. What was decided before is remembered (decision_cache.h). */
 #ifndef SIM_DECISION_H
 #define SIM_DECISION_H
 

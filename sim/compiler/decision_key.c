@@ -148,34 +148,14 @@ static void add_options(struct bytes *bytes, const struct compile_options *optio
     add_text(bytes, options->method ? options->method->name : "");
     add_text(bytes, options->splitter);
     add_text(bytes, options->core ? options->core->name : core_fast.name);
-    const double numbers[] = {options->tolerance_units,
-                              options->choose_order,
-                              options->wrong_percent,
-                              options->tree,
-                              options->trial,
-                              options->mesh_leaves,
-                              options->leaves_open,
-                              options->whole_leaf,
-                              options->coordinates,
-                              options->keep_faces,
-                              options->w_px,
-                              options->h_px,
-                              options->background,
-                              options->unlit,
-                              options->mono,
-                              options->antialias,
-                              options->delta,
-                              options->overlay,
-                              options->round,
-                              options->fill,
-                              options->framebuffer,
-                              options->wireframe,
-                              options->portals,
-                              options->fov_deg,
-                              options->near_m,
-                              options->forced_near_m,
-                              options->drop_small,
-                              (double)options->worst_tries};
+    const double numbers[] = {
+        options->tolerance_units, options->choose_order,  options->wrong_percent, options->tree,
+        options->trial,           options->mesh_leaves,   options->leaves_open,   options->whole_leaf,
+        options->coordinates,     options->keep_faces,    options->w_px,          options->h_px,
+        options->background,      options->unlit,         options->mono,          options->antialias,
+        options->delta,           options->overlay,       options->round,         options->fill,
+        options->framebuffer,     options->wireframe,     options->portals,       options->fov_deg,
+        options->near_m,          options->forced_near_m, options->drop_small,    (double)options->worst_tries};
     add(bytes, numbers, sizeof numbers);
     add_path(bytes, &options->path);
 }

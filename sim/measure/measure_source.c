@@ -181,8 +181,7 @@ void measure_source_free(struct measure_source *source)
 bool measure_source_compile(const struct measure_source *source, const struct compile_options *options,
                             struct compiled *scene, struct error *err)
 {
-    if (!source->still.moving)
-        return decision_make(&source->mesh, &source->fine, options, scene, err);
+    if (!source->still.moving) return decision_make(&source->mesh, &source->fine, options, scene, err);
     return moving_compile_own(source->path, options, MOVING_CLIPPED, scene, err);
 }
 

@@ -67,10 +67,11 @@ static void print_accuracies(const struct measure_table *table, FILE *out)
                  "precision; left out are clipped ones and those that splitting made.\n");
     fprintf(out, "%s: %zu were compared, %zu made by splitting.\n", table->rows[0].core->name, first->vertices,
             first->vertices_without_source);
-    fprintf(out,
-            "\nShimmer: of the pixels that change from one frame to the next, those that have their colour back within %d "
-            "frames; in turns of %g degrees a frame, and walks of %g mm a frame, of %d frames from %d of the cameras.\n",
-            SHIMMER_WITHIN, SHIMMER_TURN_DEG, 1000.0 * SHIMMER_WALK_M, SHIMMER_STEPS, SHIMMER_STARTS);
+    fprintf(
+        out,
+        "\nShimmer: of the pixels that change from one frame to the next, those that have their colour back within %d "
+        "frames; in turns of %g degrees a frame, and walks of %g mm a frame, of %d frames from %d of the cameras.\n",
+        SHIMMER_WITHIN, SHIMMER_TURN_DEG, 1000.0 * SHIMMER_WALK_M, SHIMMER_STEPS, SHIMMER_STARTS);
     print_scales(&table->scales, out);
 }
 
@@ -276,7 +277,8 @@ static void csv_later(const struct measure_row *row, const struct measure_scales
     fprintf(out, ",%u,%.9g,%.9g,", scales->coordinate_bits, scales->unit_m, scales->longest_m);
     if (scales->smallest_m > 0.0) fprintf(out, "%.9g", scales->smallest_m);
     if (accuracy->shimmer.known)
-        fprintf(out, ",%.4f,%.4f\n", shimmer_percent(&accuracy->shimmer.turn), shimmer_percent(&accuracy->shimmer.walk));
+        fprintf(out, ",%.4f,%.4f\n", shimmer_percent(&accuracy->shimmer.turn),
+                shimmer_percent(&accuracy->shimmer.walk));
     else
         fputs(",,\n", out);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shimmer: what eyes notice of rounding while the camera moves slowly. A pixel that changes once is an edge that passes;
- * one that changes and is soon what it was before flickers. */
+ * Shimmer: what eyes notice of rounding while the camera moves slowly. A pixel that changes once is an edge that
+ * passes; one that changes and is soon what it was before flickers. */
 #ifndef SIM_SHIMMER_H
 #define SIM_SHIMMER_H
 
@@ -21,7 +21,7 @@ double shimmer_percent(const struct shimmer_count *count);
  * SHIMMER_TURN_DEG each, and as many of a walk, ahead and by SHIMMER_WALK_M each. What moves stands still. When time is
  * over (deadline.h), nothing is known: *known. */
 #define SHIMMER_TURN_DEG 0.011
-#define SHIMMER_WALK_M   0.001
+#define SHIMMER_WALK_M 0.001
 enum { SHIMMER_STARTS = 4, SHIMMER_STEPS = 40 };
 bool shimmer_measure(const struct measure_candidate *candidate, const struct measure_views *views, struct shimmer *out,
                      struct error *err);

@@ -46,8 +46,7 @@ const struct method *method_that(enum lim_method draws)
 
 enum lim_method method_of_scene(const struct lim_scene *scene)
 {
-    if (lim_scene_is_mesh(scene))
-        return *scene->near_deep_from < scene->polygon_count ? LIM_MESH_DEPTH : LIM_MESH;
+    if (lim_scene_is_mesh(scene)) return *scene->near_deep_from < scene->polygon_count ? LIM_MESH_DEPTH : LIM_MESH;
     return !scene->limits.depth && scene->limits.pieces ? LIM_NEWELL : LIM_NEAREST_FIRST;
 }
 

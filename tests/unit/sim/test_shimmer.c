@@ -16,8 +16,8 @@ enum { PIXELS = 6 };
 
 /* Pixel by pixel: never changes; changes for good; is back in the next frame; in the third; in the fourth, which is too
  * late; changes again, to another colour. */
-static const uint16_t FRAMES[SHIMMER_SPAN + 1][PIXELS] = {
-    {1, 1, 1, 1, 1, 1}, {1, 2, 2, 2, 2, 2}, {1, 2, 1, 2, 2, 3}, {1, 2, 1, 2, 2, 3}, {1, 2, 1, 1, 2, 3}, {1, 2, 1, 1, 1, 3}};
+static const uint16_t FRAMES[SHIMMER_SPAN + 1][PIXELS] = {{1, 1, 1, 1, 1, 1}, {1, 2, 2, 2, 2, 2}, {1, 2, 1, 2, 2, 3},
+                                                          {1, 2, 1, 2, 2, 3}, {1, 2, 1, 1, 2, 3}, {1, 2, 1, 1, 1, 3}};
 
 static void pictures_from(size_t first, const uint16_t *pictures[SHIMMER_SPAN])
 {
