@@ -4,6 +4,7 @@
 #include "compiler/compile.h"
 
 #include "accuracy/predict.h"
+#include "accuracy/promise.h"
 #include "base/grow.h"
 #include "compiler/decision.h"
 #include "compiler/faithful.h"
@@ -44,8 +45,9 @@ static bool predict(const struct mesh *mesh, const struct mesh *fine, const stru
                     struct compiled *out, struct error *err)
 {
     struct reference reference = {0};
-    const bool ok = reference_init(&reference, fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
-                    predict_wrong(out, options->core, &reference, mesh->merged_into, &out->report.wrong, err);
+    const bool ok =
+        reference_init(&reference, fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
+        predict_wrong(out, options->core, &reference, mesh->merged_into, mesh->counts.faces, &out->report.wrong, err);
     reference_free(&reference);
     return ok;
 }
@@ -69,6 +71,7 @@ static bool compile_cleaned(const struct model *model, struct mesh *mesh, const 
     mesh_free(&fine);
     if (!ok) return false;
     report_notes(&out->report, mesh);
+    promise_note(out);
     keep_groups(out, mesh);
     return true;
 }

@@ -5,6 +5,7 @@
 
 #include "accuracy/moving_reference.h"
 #include "accuracy/predict.h"
+#include "accuracy/promise.h"
 #include "base/grow.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
@@ -250,7 +251,8 @@ static bool predict_parts(struct moving *moving, const struct core *core, struct
     scene->moving = moving;
     const bool ok = moving_groups(moving, &groups, err) &&
                     moving_reference(moving, &reference, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
-                    predict_wrong(scene, core, &reference, groups, &scene->report.wrong, err);
+                    predict_wrong(scene, core, &reference, groups, moving->model.face_count, &scene->report.wrong, err);
+    if (ok) promise_note(scene);
     scene->moving = NULL; /* the caller's */
     reference_free(&reference);
     free(groups);
