@@ -197,7 +197,7 @@ $(BUILD)/limner: $(call object,sim/cli/main.c) $(library) | $(BUILD)/count_plugi
 	@$(CC) $(HOST_OPT) -o $@ $(filter %.o %.a,$^) $(LINKS)
 
 # `limner measure` builds firmware for emulated processors and with other sub-pixel bits; QEMU loads a plugin that counts.
-$(call object,sim/measure/measure_cost.c sim/measure/sub_bits.c sim/cli/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
+$(call object,sim/measure/measure_cost.c sim/measure/sub_bits.c sim/cli/cmd_measure.c sim/cli/sweep_results.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
 	-DLIM_COUNT_PLUGIN='"$(abspath $(BUILD))/count_plugin.so"'
 
 # What reports say of the sources: written anew, and compiled anew, when it changes. A copy that git does not know, built

@@ -54,10 +54,19 @@ bool deadline_is_set(void)
     return !isinf(end_s);
 }
 
+static size_t cuts;
+
 bool deadline_passed(void)
 {
     progress_beat();
-    return !isinf(end_s) && clock_now_s() >= end_s;
+    const bool has_passed = !isinf(end_s) && clock_now_s() >= end_s;
+    cuts += has_passed;
+    return has_passed;
+}
+
+size_t deadline_cuts(void)
+{
+    return cuts;
 }
 
 /* A stretch may have had a part of the time only. */

@@ -43,6 +43,7 @@ struct render {
     struct simulator simulator;
     struct ids ids;             /* --ids, --compare */
     struct reference reference; /* --compare */
+    uint32_t *groups;           /* faces of one polygon, for what compares; NULL: each is for itself */
     struct edge_error edges;    /* --antialias --compare */
     struct caption caption;     /* --overlay */
     struct outputs outputs;
@@ -104,6 +105,16 @@ static void print_notes(const struct compile_report *report)
             notice("%zu faces %s; they have its mean colour", report->mesh.unmapped[kind], unmapped_words(kind));
 }
 
+/* What was merged is one face for whoever compares; with --ids nothing is. */
+static bool take_groups(struct render *render, struct error *err)
+{
+    if (render->options.compile.keep_faces) return true;
+    if (render->moving.count) return moving_groups(&render->moving, &render->groups, err);
+    render->groups = render->scene.groups;
+    render->scene.groups = NULL;
+    return true;
+}
+
 /* The reference's faces have colours if none of them moves. */
 static bool measures_edges(const struct render *render)
 {
@@ -150,7 +161,7 @@ static bool start(struct render *render, struct error *err)
     faithful_note(&render->scene);
     if (!options->compare) return true;
     if (measures_edges(render) && !edge_error_init(&render->edges, &render->scene, &options->setup, err)) return false;
-    return read_reference(render, w_px, h_px, err);
+    return take_groups(render, err) && read_reference(render, w_px, h_px, err);
 }
 
 /* Frames ------------------------------------------------------------------------------------- */
@@ -178,7 +189,7 @@ static bool identify_frame(struct render *render, size_t frame, const struct lim
     moving_pose_reference(&render->moving, &render->reference, frame_time_s(render, frame));
     reference_draw(&render->reference, &render->path.frames[frame], &render->lens);
     render->rows[frame].compare =
-        compare_picture(render->ids.faces, &render->reference, NULL, 1.0 / render->scene.grid.units_per_m);
+        compare_picture(render->ids.faces, &render->reference, render->groups, 1.0 / render->scene.grid.units_per_m);
     return !measures_edges(render) || edge_error_frame(&render->edges, &render->reference, &render->path.frames[frame],
                                                        &render->lens, camera, &render->rows[frame].edges, err);
 }
@@ -346,8 +357,10 @@ static void render_free(struct render *render)
     ids_free(&render->ids);
     edge_error_free(&render->edges);
     reference_free(&render->reference);
+    free(render->groups);
     camera_path_free(&render->path);
     compiled_free(&render->scene);
+    compile_options_free(&render->options.compile);
     moving_free(&render->moving);
     free(render->rows);
     free(render->hashes);

@@ -3,6 +3,7 @@
  * The host program `limner`: hands its arguments to a subcommand. */
 #include "agree.h"
 #include "base/arguments.h"
+#include "base/cache.h"
 #include "base/deadline.h"
 #include "base/ending.h"
 #include "base/streams.h"
@@ -27,6 +28,7 @@ static const struct command {
                 {"measure", cmd_measure, true},
                 {"compare", cmd_compare, true},
                 {"splitters", cmd_splitters, true},
+                {"sweep", cmd_sweep, false},
                 {"play", cmd_play, true},
                 {"devices", cmd_devices, false},
                 {"bridge", cmd_bridge, false},
@@ -121,6 +123,7 @@ int main(int argc, char **argv)
 {
     streams_prepare();
     ending_prepare();
+    cache_begin();
     const int status = run(argc, argv);
     if (status == 0) deadline_tell();
     return streams_end(status);

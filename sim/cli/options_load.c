@@ -109,12 +109,13 @@ static void note_backs(const struct options *options, const struct moving *movin
         options->scene_path);
 }
 
-bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
+bool options_load(struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err)
 {
     if (!camera_choice_read(&options->cameras, path, err)) return false;
     if ((path->count && !take_frames(options, path, err)) || !load_scene(options, path, scene, moving, err))
         return false;
+    if (!options_scene_is_compiled(options)) options->setup.method = scene->report.draws;
     note_idle(options, moving);
     if (!lens_for_grid(lens, options->compile.fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
                        options->setup.h_px, err))

@@ -43,6 +43,37 @@ static bool parse_coordinates(const char *text, enum coordinates *out, struct er
     return true;
 }
 
+bool portals_parse(const char *text, enum portals_wanted *out, struct error *err)
+{
+    static const char *const names[] = {[PORTALS_OFF] = "off", [PORTALS_AUTO] = "auto", [PORTALS_ON] = "on"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(text, names[i]) != 0) continue;
+        *out = (enum portals_wanted)i;
+        return true;
+    }
+    return error_set(err, "--portals %s: there are on, off and auto", text);
+}
+
+/* What was read before is freed. */
+static bool parse_path(const char *text, struct compile_options *out, struct error *err)
+{
+    struct camera_choice choice;
+    if (!camera_choice_parse(text, &choice, err)) return false;
+    if (choice.random_count) return error_set(err, "--path %s: a program's cameras are in a file, not at random", text);
+    choice.takes_times = true;
+    camera_path_free(&out->path);
+    return camera_choice_read(&choice, &out->path, err);
+}
+
+struct compile_options compile_options_usual(void)
+{
+    return (struct compile_options){.tolerance_units = 0.5,
+                                    .splitter = "auto",
+                                    .trial = TRIAL_IF_SPLIT,
+                                    .choose_order = true,
+                                    .portals = PORTALS_AUTO};
+}
+
 bool compile_options_know(int code)
 {
     return code >= ORIENTATION_UP && code < COMPILE_CODES_END;
@@ -66,6 +97,10 @@ bool compile_options_take(int code, const char *text, struct compile_options *ou
         return true;
     case COMPILE_MESH_LEAVES:
         return parse_mesh_leaves(text, &out->mesh_leaves, err);
+    case COMPILE_PORTALS:
+        return portals_parse(text, &out->portals, err);
+    case COMPILE_PATH:
+        return parse_path(text, out, err);
     case COMPILE_FOV:
         return parse_fov(text, &out->fov_deg, err);
     default:
@@ -88,16 +123,6 @@ bool compile_options_settle(struct compile_options *options, struct error *err)
     return method->tree == TREE_AUTO || method->tree == options->tree ||
            error_set(err, "--method %s --tree %s: that method has a tree of its own", method->name,
                      tree_names[options->tree]);
-}
-
-bool compile_path_parse(const char *text, struct compile_options *out, struct error *err)
-{
-    struct camera_choice choice;
-    if (!camera_choice_parse(text, &choice, err)) return false;
-    if (choice.random_count) return error_set(err, "--path %s: a program's cameras are in a file, not at random", text);
-    choice.takes_times = true;
-    camera_path_free(&out->path);
-    return camera_choice_read(&choice, &out->path, err);
 }
 
 void compile_options_free(struct compile_options *options)

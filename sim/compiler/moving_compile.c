@@ -5,6 +5,7 @@
 
 #include "accuracy/moving_reference.h"
 #include "accuracy/predict.h"
+#include "accuracy/promise.h"
 #include "base/choice.h"
 #include "base/grow.h"
 #include "cameras/camera_path.h"
@@ -267,7 +268,8 @@ static bool predict_parts(struct moving *moving, const struct core *core, struct
     scene->moving = moving;
     const bool ok = moving_groups(moving, &groups, err) &&
                     moving_reference(moving, &reference, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
-                    predict_wrong(scene, core, &reference, groups, &scene->report.wrong, err);
+                    predict_wrong(scene, core, &reference, groups, moving->model.face_count, &scene->report.wrong, err);
+    if (ok) promise_note(scene);
     scene->moving = NULL; /* the caller's */
     reference_free(&reference);
     free(groups);
@@ -344,7 +346,7 @@ bool moving_compile(const char *path, const struct compile_options *options, con
     *moving = (struct moving){0};
     motions_leave_out(movers->mode == MOVING_OFF);
     if (!model_read(path, &options->orientation, &model, err)) return false;
-    if (options->predict && !source_take(path, &model, err)) {
+    if (!compile_source(path, &model, options, err)) {
         model_free(&model);
         return false;
     }
