@@ -146,6 +146,5 @@ bool compile_options_coordinates(const struct compile_options *options, enum coo
 
 void compile_options_light(const struct compile_options *options, struct model *model)
 {
-    if (options->unlit) return;
-    (options->mono ? light_bake_mono : light_bake)(model);
+    (options->unlit ? light_none : options->mono ? light_bake_mono : light_bake)(model);
 }

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * Face colours from the importer's materials and vertex colours. Linear light (physically based
- * materials) is encoded by the sRGB curve of IEC 61966-2-1 after all arithmetic. */
+ * materials) is encoded as sRGB after all arithmetic. */
 #include "model/model_colour.h"
 
 #include "model/model.h"
+#include "model/srgb.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -73,17 +74,6 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
     return paint;
 }
 
-static double srgb_from_linear(double c)
-{
-    return c <= 0.0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - 0.055;
-}
-
-/* NaN, which a file may hold, becomes black. */
-static uint32_t byte_from_unit(double c)
-{
-    return c > 0 ? (uint32_t)(255 * fmin(c, 1) + 0.5) : 0;
-}
-
 double model_face_opacity(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
 {
     if (!paint->blends || !mesh->mColors[0]) return paint->opacity;
@@ -107,6 +97,6 @@ uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh 
     }
     uint32_t colour = 0;
     for (int axis = 0; axis < 3; axis++)
-        colour = colour << 8 | byte_from_unit(paint->linear ? srgb_from_linear(rgb[axis]) : rgb[axis]);
+        colour = colour << 8 | srgb_byte(paint->linear ? srgb_from_linear(rgb[axis]) : rgb[axis]);
     return colour;
 }

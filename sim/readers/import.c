@@ -183,15 +183,20 @@ static bool set_transparency(struct import *import, double opacity)
     return true;
 }
 
-/* Pictures are named again and again, by each material that shows them. */
-static uint32_t picture_number(struct import *import, const char *name)
+/* Pictures are named again and again, by each material that shows them. One that is seen in several ways beyond its
+ * borders has a number for each. */
+static uint32_t picture_number(struct import *import, const char *name, const uint8_t wrap[2])
 {
     struct model *model = import->model;
     for (size_t i = 0; i < model->picture_count; i++)
-        if (strncmp(model->pictures[i].name, name, TEXTURE_NAME_B - 1) == 0) return (uint32_t)i + 1;
+        if (strncmp(model->pictures[i].name, name, TEXTURE_NAME_B - 1) == 0 &&
+            memcmp(model->pictures[i].wrap, wrap, sizeof model->pictures[i].wrap) == 0)
+            return (uint32_t)i + 1;
     model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
-    picture_read(import->scene, name, &model->pictures[model->picture_count]);
-    return (uint32_t)++model->picture_count;
+    struct picture *picture = &model->pictures[model->picture_count++];
+    picture_read(import->scene, name, picture);
+    memcpy(picture->wrap, wrap, sizeof picture->wrap);
+    return (uint32_t)model->picture_count;
 }
 
 /* The picture becomes one with holes, which has a number of its own: others may show it whole. */
@@ -237,16 +242,19 @@ static void take_sky(struct import *import)
 
 static void find_pictures(struct import *import, const struct aiMesh *mesh)
 {
+    static const uint8_t repeats[2] = {PICTURE_REPEATS, PICTURE_REPEATS};
+    struct picture_use use;
     struct aiString name;
     import->picture = import->mask = import->holes = 0;
     if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
     const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
-    if (picture_name_of(material, &name, &import->uv_set)) import->picture = picture_number(import, name.data);
+    if (picture_of_colour(material, &use)) import->picture = picture_number(import, use.name.data, use.wrap);
+    import->uv_set = use.uv_set;
     if (import->picture && is_sky(material)) {
         take_sky(import);
         return;
     }
-    if (picture_mask_of(material, &name)) import->mask = picture_number(import, name.data);
+    if (picture_mask_of(material, &name)) import->mask = picture_number(import, name.data, repeats);
     if (!import->mask && import->picture && import->paint.textures_blend &&
         import->model->pictures[import->picture - 1].has_alpha)
         import->mask = import->picture;

@@ -3,7 +3,9 @@
 
 #include "levels/level_path.h"
 #include "model/flat_texture.h"
+#include "model/texture_wrap.h"
 #include "readers/model_import.h"
+#include "readers/source.h"
 #include "readers/whole_file.h"
 
 /* Which way up formats are, that assimp hands over as they are, but for those of 3ds Max. */
@@ -24,7 +26,12 @@ static enum up_custom custom_of(const char *path)
 bool model_read(const char *path, const struct orientation *orientation, struct model *model, struct error *err)
 {
     if (!model_import(path, model, err)) return false;
-    flat_texture_find(model);
     orientation_apply(orientation, custom_of(path), model);
+    if (texture_wrap_cuts(model) && !source_read(path, model, err)) {
+        model_free(model);
+        return false;
+    }
+    texture_wrap_apply(model);
+    flat_texture_find(model);
     return true;
 }

@@ -297,15 +297,28 @@ bool picture_mask_of(const struct aiMaterial *material, struct aiString *name)
            name->length > 0;
 }
 
-bool picture_name_of(const struct aiMaterial *material, struct aiString *name, unsigned *uv_set)
+/* "Decal" is clear beyond the borders, which no format that is read here says of a colour. */
+static uint8_t wrap_of(enum aiTextureMapMode mode)
 {
-    static const enum aiTextureType types[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
-    for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
-        *uv_set = 0;
-        if (aiGetMaterialTexture(material, types[i], 0, name, NULL, uv_set, NULL, NULL, NULL, NULL) ==
-                aiReturn_SUCCESS &&
-            name->length > 0)
-            return true;
-    }
-    return false;
+    return mode == aiTextureMapMode_Mirror                                    ? PICTURE_MIRRORS
+           : mode == aiTextureMapMode_Clamp || mode == aiTextureMapMode_Decal ? PICTURE_CLAMPS
+                                                                              : PICTURE_REPEATS;
+}
+
+static bool picture_of_type(const struct aiMaterial *material, enum aiTextureType type, struct picture_use *use)
+{
+    enum aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+    *use = (struct picture_use){.uv_set = 0};
+    if (aiGetMaterialTexture(material, type, 0, &use->name, NULL, &use->uv_set, NULL, NULL, modes, NULL) !=
+        aiReturn_SUCCESS)
+        return false;
+    for (int i = 0; i < 2; i++)
+        use->wrap[i] = wrap_of(modes[i]);
+    return use->name.length > 0;
+}
+
+bool picture_of_colour(const struct aiMaterial *material, struct picture_use *use)
+{
+    return picture_of_type(material, aiTextureType_BASE_COLOR, use) ||
+           picture_of_type(material, aiTextureType_DIFFUSE, use);
 }

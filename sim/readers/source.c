@@ -86,13 +86,13 @@ static void note_shared(struct model *model)
     model_note(model, "the reference has the importer's vertices: it has no reader of its own for this file");
 }
 
-bool source_take(const char *path, struct model *model, struct error *err)
+bool source_read(const char *path, struct model *model, struct error *err)
 {
     struct source source = {0};
-    if (model->source_points) return true;
+    if (model->source_points || model->has_no_source) return true;
     const enum source_result result = read_any(path, &source, err);
     bool ok = result != SOURCE_BAD;
-    if (result == SOURCE_UNKNOWN) note_shared(model);
+    model->has_no_source = result == SOURCE_UNKNOWN;
     if (result == SOURCE_READ) {
         double(*points)[3] = grow_zeroed(model->point_count, sizeof *points);
         memcpy(points, model->points, model->point_count * sizeof *points);
@@ -104,6 +104,13 @@ bool source_take(const char *path, struct model *model, struct error *err)
     }
     source_free(&source);
     return ok;
+}
+
+bool source_take(const char *path, struct model *model, struct error *err)
+{
+    if (!source_read(path, model, err)) return false;
+    if (model->has_no_source) note_shared(model);
+    return true;
 }
 
 struct model source_view(const struct model *model)
