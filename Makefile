@@ -46,7 +46,7 @@ help: ## [care] list the goals
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
-packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev zlib1g-dev \
+packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev libmeshoptimizer-dev zlib1g-dev \
 	libgpiod-dev libhidapi-dev libarchive-dev
 packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base tidy freedoom
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
@@ -124,7 +124,7 @@ GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
 FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
 	-DLIM_GPIOD=$(GPIOD) -DSCREEN_STREAMS=1 \
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
-LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lgmp -lz -lm
+LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lmeshoptimizer -lgmp -lz -lm
 
 progress    = sh sim/tools/progress.sh
 progress_of = $(BUILD)/progress $(progress_count)

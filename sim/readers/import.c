@@ -12,6 +12,7 @@
 #include "model/model_colour.h"
 #include "readers/companion.h"
 #include "readers/float_step.h"
+#include "readers/gltf_plain.h"
 #include "readers/import_motion.h"
 #include "readers/inputs.h"
 #include "readers/masked_picture.h"
@@ -46,6 +47,7 @@ struct import {
     const struct aiNode **movers; /* the nodes of model->movers */
     uint16_t mover;               /* of the node being read: model_face.mover */
     struct vertex_numbers numbers;
+    struct gltf_plain plain;
     struct node_transforms transforms;
     double step_m; /* the largest of those between float32 numbers that vertices came as */
 };
@@ -345,7 +347,8 @@ static bool read_scene(struct import *import)
 {
     const struct aiNode *root = import->scene->mRootNode;
     if (!root) return error_set(import->err, "%s: there is no scene in it", import->path);
-    return node_transforms_read(import->path, import->scene, &import->transforms, import->err) &&
+    return node_transforms_read(import->path, import->plain.path ? &import->plain.file : NULL, import->scene,
+                                &import->transforms, import->err) &&
            import_motions(import->path, import->scene, &import->transforms, import->model, &import->movers,
                           &import->step_m, import->err) &&
            walk(import, root, affine_identity(), 0, count_mesh) && allocate(import) &&
@@ -371,17 +374,20 @@ static bool refuse(const char *path, struct error *err)
     return error_set(err, "%s: %.*s", path, (int)length, reason);
 }
 
-static const struct aiScene *import_file(const char *path, const struct whole_file *file, struct error *err)
+/* library_path: NULL if the library is to take the file for what it is. */
+static const struct aiScene *import_file(const char *path, const char *library_path, const struct whole_file *file,
+                                         struct error *err)
 {
     char dropped = false;
     struct aiLogStream log = {.callback = watch_log, .user = &dropped};
-    const struct model_io_instead instead = {path, file->bytes, file->size_b};
+    const char *taken_for = library_path ? library_path : path;
+    const struct model_io_instead instead = {taken_for, file->bytes, file->size_b, library_path != NULL};
     struct aiFileIO io = model_io(&instead);
     struct aiPropertyStore *settings = aiCreatePropertyStore();
     /* Else a file without a mesh would get one made up from its skeleton. */
     aiSetImportPropertyInteger(settings, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     aiAttachLogStream(&log);
-    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, &io, settings);
+    const struct aiScene *scene = aiImportFileExWithProperties(taken_for, 0, &io, settings);
     aiDetachLogStream(&log);
     aiReleasePropertyStore(settings);
     if (scene && !dropped) return scene;
@@ -410,8 +416,12 @@ bool import_model(const char *path, struct model *model, struct error *err)
     if (!model_io_check(path, err) || !model_is_whole(path, err)) return false;
     struct import import = {.path = path, .model = model, .err = err};
     companions_begin(path);
-    if (!vertex_numbers_make(path, &import.numbers, err)) return false;
-    import.scene = import_file(path, &import.numbers.file, err);
+    if (!vertex_numbers_make(path, &import.numbers, err) ||
+        !gltf_plain_make(path, &import.plain, &import.numbers, model, err)) {
+        model_free(model);
+        return false;
+    }
+    import.scene = import_file(path, import.plain.path, &import.numbers.file, err);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) float_step_note(model, import.step_m);
     if (ok && pictures_sky() && !pictures_are_left_out() && !import.has_sky)
@@ -421,6 +431,7 @@ bool import_model(const char *path, struct model *model, struct error *err)
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);
     vertex_numbers_free(&import.numbers);
+    gltf_plain_free(&import.plain);
     if (!ok) model_free(model);
     return ok;
 }

@@ -78,7 +78,7 @@ static struct model_file *copy_of(const struct model_io_instead *instead)
     struct model_file *file = calloc(1, sizeof *file + instead->size_b);
     if (!file) return NULL;
     file->size_b = instead->size_b;
-    inputs_note(instead->path);
+    if (!instead->is_noted) inputs_note(instead->path);
     memcpy(file->bytes, instead->bytes, instead->size_b);
     return file;
 }

@@ -5,7 +5,6 @@
 #include "readers/node_transforms.h"
 
 #include "base/grow.h"
-#include "readers/gltf_file.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -104,16 +103,12 @@ static bool pair_tree(struct pairing *work, struct aiNode *root)
     return pair_all(work, root->mChildren, root->mNumChildren, indices);
 }
 
-bool node_transforms_read(const char *path, const struct aiScene *scene, struct node_transforms *out, struct error *err)
+bool node_transforms_read(const char *path, const struct gltf_file *file, const struct aiScene *scene,
+                          struct node_transforms *out, struct error *err)
 {
-    struct gltf_file file;
+    struct pairing work = {path, file, out, err};
     *out = (struct node_transforms){0};
-    if (!gltf_is_named(path) || !scene->mRootNode) return true;
-    if (!gltf_file_read(path, &file, err)) return false;
-    struct pairing work = {path, &file, out, err};
-    const bool ok = !gltf_file_is_2(&file) || pair_tree(&work, scene->mRootNode);
-    gltf_file_free(&file);
-    return ok;
+    return !file || !scene->mRootNode || pair_tree(&work, scene->mRootNode);
 }
 
 struct node_transform node_transform_of(const struct node_transforms *transforms, const struct aiNode *node)

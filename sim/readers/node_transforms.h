@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/map.h"
+#include "readers/gltf_file.h"
 
 #include <assimp/scene.h>
 
@@ -21,10 +22,10 @@ struct node_transforms {
     struct map places; /* from a node's address to its place among them, from 1 */
 };
 
-/* Pairs the file's nodes with the library's. Refuses, naming the node, a file of which the library made another tree,
- * or transforms that are not the file's as near as float32 can be. */
-bool node_transforms_read(const char *path, const struct aiScene *scene, struct node_transforms *out,
-                          struct error *err);
+/* Pairs the file's nodes (NULL: it is none of glTF 2.0) with the library's. Refuses, naming the node, a file of which
+ * the library made another tree, or transforms that are not the file's as near as float32 can be. */
+bool node_transforms_read(const char *path, const struct gltf_file *file, const struct aiScene *scene,
+                          struct node_transforms *out, struct error *err);
 /* Whether the file's own are known. */
 static inline bool node_transforms_are_double(const struct node_transforms *transforms)
 {
