@@ -9,8 +9,8 @@
 
 #include <assimp/scene.h>
 
-/* PNG, JPEG, GIF, BMP or TGA of 24 or 32 bits, as the bytes themselves say. What cannot be read has a reason and no
- * pixels; what may not be read ends the import (companion.h). */
+/* PNG, JPEG, WebP, AVIF, GIF, BMP or TGA of 24 or 32 bits, as the bytes themselves say. What cannot be read has a
+ * reason and no pixels; what may not be read ends the import (companion.h). */
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out);
 
 /* --no-textures: none is read, for all of the process; faces have the colours of their materials. */
