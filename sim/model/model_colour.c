@@ -54,6 +54,16 @@ static void set_opacity(struct model_paint *paint, const struct aiMaterial *mate
     if (masked && paint->opacity > 0 && opacity > 0) paint->least_alpha = cutoff / opacity;
 }
 
+/* What is unlit shows its colour and no more. */
+static void set_light(struct model_paint *paint, const struct aiMaterial *material)
+{
+    struct aiColor4D colour;
+    if (paint->unlit || aiGetMaterialColor(material, AI_MATKEY_COLOR_EMISSIVE, &colour) != aiReturn_SUCCESS) return;
+    const double channels[3] = {colour.r, colour.g, colour.b};
+    for (int i = 0; i < 3; i++)
+        paint->light[i] = channels[i] > 0 ? paint->linear ? channels[i] : srgb_to_linear(channels[i]) : 0;
+}
+
 struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMesh *mesh)
 {
     struct model_paint paint = default_paint(mesh);
@@ -67,6 +77,7 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
     int shading = 0;
     aiGetMaterialIntegerArray(material, AI_MATKEY_SHADING_MODEL, &shading, NULL);
     paint.unlit = shading == aiShadingMode_NoShading;
+    set_light(&paint, material);
     int two_sided = 0;
     aiGetMaterialIntegerArray(material, AI_MATKEY_TWOSIDED, &two_sided, NULL);
     paint.two_sided = two_sided != 0;
@@ -83,6 +94,24 @@ double model_face_opacity(const struct model_paint *paint, const struct aiMesh *
     return paint->opacity * sum / face->mNumIndices;
 }
 
+static uint32_t colour_of(const double rgb[3], bool is_linear)
+{
+    uint32_t colour = 0;
+    for (int i = 0; i < 3; i++)
+        colour = colour << 8 | srgb_byte(is_linear ? srgb_from_linear(rgb[i]) : rgb[i]);
+    return colour;
+}
+
+uint32_t model_paint_colour(const struct model_paint *paint)
+{
+    return colour_of(paint->rgb, paint->linear);
+}
+
+uint32_t model_paint_emission(const struct model_paint *paint)
+{
+    return colour_of(paint->light, true);
+}
+
 uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
 {
     double rgb[3] = {paint->rgb[0], paint->rgb[1], paint->rgb[2]};
@@ -95,8 +124,5 @@ uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh 
         for (int axis = 0; axis < 3; axis++)
             rgb[axis] *= sum[axis] / face->mNumIndices;
     }
-    uint32_t colour = 0;
-    for (int axis = 0; axis < 3; axis++)
-        colour = colour << 8 | srgb_byte(paint->linear ? srgb_from_linear(rgb[axis]) : rgb[axis]);
-    return colour;
+    return colour_of(rgb, paint->linear);
 }

@@ -11,6 +11,7 @@
 #include "levels/level_path.h"
 #include "model/model_colour.h"
 #include "readers/companion.h"
+#include "readers/emissive_picture.h"
 #include "readers/float_step.h"
 #include "readers/gltf_plain.h"
 #include "readers/import_motion.h"
@@ -31,6 +32,9 @@
 /* A face's own limit: what is done with it takes time that grows with the square of its corners. */
 enum { MOST_CORNERS = 1 << 23, MOST_FACES = 1 << 20, MOST_FACE_CORNERS = 1024 };
 
+/* What became of the light that a material emits, if there is a picture in play. */
+enum light_in_picture { LIGHT_NONE, LIGHT_ALONE, LIGHT_DIMMED, LIGHT_LOST, LIGHTS_IN_PICTURES };
+
 struct import {
     const char *path;
     const struct aiScene *scene;
@@ -41,6 +45,10 @@ struct import {
     uint32_t picture, mask;          /* the same; 0: none */
     uint8_t holes;                   /* picture_transparency() of its picture, if that is masked; else 0 */
     struct masked_pictures masked;
+    struct emissive_pictures emissive;
+    uint32_t emission;           /* of the mesh being read: model_face.emission */
+    enum light_in_picture light; /* the same */
+    size_t light_faces[LIGHTS_IN_PICTURES];
     bool has_sky; /* one of the materials is it */
     unsigned uv_set;
     size_t picture_capacity, point_total;
@@ -242,12 +250,94 @@ static void take_sky(struct import *import)
         import->picture = (uint32_t)++model->picture_count;
 }
 
+/* The picture becomes one of colour and light together. Where the material has no colour but its light, no lamp dims
+ * it.
+ */
+static void add_light_to_picture(struct import *import, const struct emission_of *of)
+{
+    struct model *model = import->model;
+    import->picture = emissive_picture_find(&import->emissive, of);
+    if (!import->picture) {
+        model->pictures =
+            grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
+        import->picture =
+            emissive_picture_make(&import->emissive, of, model->pictures, (uint32_t)model->picture_count++);
+    }
+    for (int i = 0; i < 3; i++)
+        import->paint.rgb[i] = 1;
+    import->light = of->colour ? LIGHT_DIMMED : LIGHT_ALONE;
+}
+
+static bool has_pixels(const struct import *import, uint32_t picture)
+{
+    return picture && import->model->pictures[picture - 1].pixels;
+}
+
+/* The picture of the light, and its coordinates, where there is one of the colour as well. false: nothing is to be done
+ * with it. */
+static bool take_light_picture(struct import *import, const struct picture_use *use, struct emission_of *of)
+{
+    const uint32_t number = picture_number(import, use->name.data, use->wrap);
+    if (of->colour_picture &&
+        (use->uv_set != import->uv_set ||
+         memcmp(import->model->pictures[of->colour_picture - 1].wrap, use->wrap, sizeof use->wrap) != 0)) {
+        import->light = LIGHT_LOST;
+        return false;
+    }
+    if (!has_pixels(import, number)) {
+        import->picture = number; /* which says what is wrong with it */
+        return false;
+    }
+    import->uv_set = use->uv_set;
+    of->light_picture = number;
+    return true;
+}
+
+static double sum_of(const double light[3])
+{
+    return light[0] + light[1] + light[2];
+}
+
+/* Of a material that has no colour but its light, the picture of its colour is of use for its holes alone. */
+static void begin_light(struct import *import, struct emission_of *of)
+{
+    const struct picture *picture = import->picture ? &import->model->pictures[import->picture - 1] : NULL;
+    *of = (struct emission_of){.colour = model_paint_colour(&import->paint)};
+    memcpy(of->light, import->paint.light, sizeof of->light);
+    if (!of->colour && picture && picture->pixels && !picture->has_alpha) import->picture = 0;
+    if (has_pixels(import, import->picture)) of->colour_picture = import->picture;
+}
+
+/* What the material emits: a colour of its faces, unless there is a picture to add it to. MTL's map_Ke does without a
+ * Ke. Where pictures are left out, what they would make of the light is not known. */
+static void take_light(struct import *import, const struct aiMaterial *material)
+{
+    struct model_paint *paint = &import->paint;
+    struct picture_use use;
+    struct emission_of of;
+    const bool has_picture = !paint->unlit && picture_of_light(material, &use);
+    if (has_picture && !paint->linear && !(sum_of(paint->light) > 0))
+        for (int i = 0; i < 3; i++)
+            paint->light[i] = 1;
+    if (!(sum_of(paint->light) > 0)) return;
+    begin_light(import, &of);
+    if (import->picture && !has_pixels(import, import->picture) && !pictures_are_left_out()) return;
+    if (has_picture && pictures_are_left_out() && of.colour) return;
+    if (has_picture && !pictures_are_left_out() && !take_light_picture(import, &use, &of)) return;
+    if (of.colour_picture || of.light_picture)
+        add_light_to_picture(import, &of);
+    else
+        import->emission = model_paint_emission(paint);
+}
+
 static void find_pictures(struct import *import, const struct aiMesh *mesh)
 {
     static const uint8_t repeats[2] = {PICTURE_REPEATS, PICTURE_REPEATS};
     struct picture_use use;
     struct aiString name;
     import->picture = import->mask = import->holes = 0;
+    import->emission = 0;
+    import->light = LIGHT_NONE;
     if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
     const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
     if (picture_of_colour(material, &use)) import->picture = picture_number(import, use.name.data, use.wrap);
@@ -256,6 +346,7 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
         take_sky(import);
         return;
     }
+    take_light(import, material);
     if (picture_mask_of(material, &name)) import->mask = picture_number(import, name.data, repeats);
     if (!import->mask && import->picture && import->paint.textures_blend &&
         import->model->pictures[import->picture - 1].has_alpha)
@@ -297,10 +388,12 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
                                 .colour = colour,
                                 .picture = import->picture,
                                 .two_sided = import->paint.two_sided,
-                                .unlit = import->paint.unlit || is_shown_as_sky(import),
+                                .emission = import->emission,
+                                .unlit = import->paint.unlit || import->light == LIGHT_ALONE || is_shown_as_sky(import),
                                 .mover = import->mover};
     if (face->picture) model->pictures[face->picture - 1].faces++;
     if (import->mask) model->pictures[import->mask - 1].clear_faces++;
+    import->light_faces[import->light]++;
     for (unsigned k = 0; k < from->mNumIndices; k++) {
         uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
         const double *p = model->points[corner];
@@ -408,6 +501,19 @@ static bool import_level(const char *path, const struct level_path *level, struc
     return level_import(path, !pictures_are_left_out(), model, err);
 }
 
+static void note_light(const struct import *import)
+{
+    if (import->light_faces[LIGHT_DIMMED])
+        model_note(import->model,
+                   "%zu faces emit light and have a texture: baked light dims both; --unlit shows them undimmed",
+                   import->light_faces[LIGHT_DIMMED]);
+    if (import->light_faces[LIGHT_LOST])
+        model_note(import->model,
+                   "%zu faces are drawn without the light that they emit: its texture has other coordinates than that "
+                   "of their colour",
+                   import->light_faces[LIGHT_LOST]);
+}
+
 bool import_model(const char *path, struct model *model, struct error *err)
 {
     struct level_path level;
@@ -424,10 +530,12 @@ bool import_model(const char *path, struct model *model, struct error *err)
     import.scene = import_file(path, import.plain.path, &import.numbers.file, err);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) float_step_note(model, import.step_m);
+    if (ok) note_light(&import);
     if (ok && pictures_sky() && !pictures_are_left_out() && !import.has_sky)
         model_note(model, "--sky: no material of that name has a picture");
     free(import.movers);
     masked_pictures_free(&import.masked);
+    emissive_pictures_free(&import.emissive);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);
     vertex_numbers_free(&import.numbers);

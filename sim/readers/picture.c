@@ -337,6 +337,12 @@ static bool picture_of_type(const struct aiMaterial *material, enum aiTextureTyp
     return use->name.length > 0;
 }
 
+bool picture_of_light(const struct aiMaterial *material, struct picture_use *use)
+{
+    return picture_of_type(material, aiTextureType_EMISSIVE, use) ||
+           picture_of_type(material, aiTextureType_EMISSION_COLOR, use);
+}
+
 bool picture_of_colour(const struct aiMaterial *material, struct picture_use *use)
 {
     return picture_of_type(material, aiTextureType_BASE_COLOR, use) ||

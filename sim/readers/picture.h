@@ -36,6 +36,9 @@ struct picture_use {
 /* The texture of a material's colour. false: it has none. */
 bool picture_of_colour(const struct aiMaterial *material, struct picture_use *use);
 
+/* The same of what it emits. */
+bool picture_of_light(const struct aiMaterial *material, struct picture_use *use);
+
 /* The texture of its opacity alone: map_d of MTL. false: it has none. */
 bool picture_mask_of(const struct aiMaterial *material, struct aiString *name);
 
