@@ -48,7 +48,7 @@ help: ## [care] list the goals
 
 packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev libmeshoptimizer-dev zlib1g-dev \
 	libgpiod-dev libhidapi-dev libarchive-dev
-packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base tidy freedoom
+packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base tidy freedoom python3
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
 packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr avr-libc gcc-powerpc-linux-gnu \

@@ -55,6 +55,14 @@ static bool read_buffer(const struct gltf_file *file, size_t index, struct gltf_
     return true;
 }
 
+/* Why a buffer cannot be read may say no more than which it is; that it may not be read, when its name was looked at
+ * once more, is the better reason. */
+static bool name_model(const char *path, struct error *err)
+{
+    companions_refused(err);
+    return strncmp(err->text, path, strlen(path)) != 0 && error_prefix(err, path);
+}
+
 bool gltf_buffers_read(const char *path, const struct gltf_file *file, struct gltf_buffers *out, struct error *err)
 {
     const size_t count = json_array_size(json_object_get(file->root, "buffers"));
@@ -62,7 +70,7 @@ bool gltf_buffers_read(const char *path, const struct gltf_file *file, struct gl
     *out = (struct gltf_buffers){.count = 0};
     for (size_t i = 0; i < count; i++) {
         struct gltf_buffer buffer;
-        if (!read_buffer(file, i, &buffer, err)) return false;
+        if (!read_buffer(file, i, &buffer, err)) return name_model(path, err);
         gltf_buffers_add(out, &buffer);
     }
     return gltf_meshopt_decode(path, file, out, err);
