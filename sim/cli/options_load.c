@@ -98,7 +98,7 @@ double options_rate(const struct options *options, const struct moving *moving, 
 bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err)
 {
-    if (!camera_choice_read(&options->cameras, path, err)) return false;
+    if (!compile_options_cameras(&options->compile, &options->cameras, path, err)) return false;
     if ((path->count && !take_frames(options, path, err)) || !load_scene(options, scene, moving, err)) return false;
     note_idle(options, moving);
     if (!lens_for_grid(lens, options->compile.fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,

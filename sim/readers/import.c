@@ -67,19 +67,6 @@ static struct node_transform affine_identity(void)
     return (struct node_transform){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 }
 
-static struct node_transform affine_times(const struct node_transform *a, const struct node_transform *b)
-{
-    struct node_transform out;
-    for (int row = 0; row < 3; row++)
-        for (int column = 0; column < 4; column++) {
-            double sum = column == 3 ? a->m[row][3] : 0;
-            for (int k = 0; k < 3; k++)
-                sum += a->m[row][k] * b->m[k][column];
-            out.m[row][column] = sum;
-        }
-    return out;
-}
-
 static bool affine_mirrors(const struct node_transform *a)
 {
     const double(*m)[4] = a->m;
@@ -99,7 +86,8 @@ static uint16_t mover_of(const struct import *import, const struct aiNode *node)
 static bool walk(struct import *import, const struct aiNode *node, struct node_transform parent, uint16_t mover,
                  mesh_reader *read)
 {
-    const struct node_transform own = node_transform_of(&import->transforms, node), here = affine_times(&parent, &own);
+    const struct node_transform own = node_transform_of(&import->transforms, node),
+                                here = node_transform_times(&parent, &own);
     if (!mover) mover = mover_of(import, node);
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         import->transform = here;

@@ -24,6 +24,19 @@ static struct node_transform of_library(const struct aiMatrix4x4 *m)
         {{m->a1, m->a2, m->a3, m->a4}, {m->b1, m->b2, m->b3, m->b4}, {m->c1, m->c2, m->c3, m->c4}}};
 }
 
+struct node_transform node_transform_times(const struct node_transform *a, const struct node_transform *b)
+{
+    struct node_transform out;
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 4; column++) {
+            double sum = column == 3 ? a->m[row][3] : 0;
+            for (int k = 0; k < 3; k++)
+                sum += a->m[row][k] * b->m[k][column];
+            out.m[row][column] = sum;
+        }
+    return out;
+}
+
 /* The columns of a quaternion's rotation, x, y, z, w. */
 static void rotate(const double q[4], double m[3][4])
 {
@@ -35,7 +48,7 @@ static void rotate(const double q[4], double m[3][4])
     }
 }
 
-static struct node_transform of_file(const json_t *node)
+struct node_transform node_transform_of_file(const json_t *node)
 {
     struct node_transform out = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
     double matrix[16], quaternion[4], scale[3] = {1, 1, 1}, at[3] = {0, 0, 0};
@@ -71,7 +84,7 @@ static bool pair_all(struct pairing *work, struct aiNode *const *nodes, unsigned
 static bool pair(struct pairing *work, const struct aiNode *node, const json_t *own)
 {
     struct node_transforms *out = work->out;
-    const struct node_transform library = of_library(&node->mTransformation), file = of_file(own);
+    const struct node_transform library = of_library(&node->mTransformation), file = node_transform_of_file(own);
     if (!agrees(&file, &library))
         return error_set(work->err, "%s: node '%s': its transform is beyond float32, or not a transform", work->path,
                          node->mName.data);

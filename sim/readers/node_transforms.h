@@ -22,6 +22,11 @@ struct node_transforms {
     struct map places; /* from a node's address to its place among them, from 1 */
 };
 
+struct node_transform node_transform_times(const struct node_transform *a, const struct node_transform *b);
+
+/* Of a node of a glTF 2.0 file. */
+struct node_transform node_transform_of_file(const json_t *node);
+
 /* Pairs the file's nodes (NULL: it is none of glTF 2.0) with the library's. Refuses, naming the node, a file of which
  * the library made another tree, or transforms that are not the file's as near as float32 can be. */
 bool node_transforms_read(const char *path, const struct gltf_file *file, const struct aiScene *scene,

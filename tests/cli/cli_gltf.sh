@@ -92,6 +92,30 @@ tap_check "skins and morph targets are counted" tells posed.gltf \
     "1 meshes have a skeleton (skin): they are drawn as they were modelled, not posed"
 cd .. || exit 1
 
+looks_as() { # CAMERA OPTION...: as the cameras of look.gltf do
+    as=$1
+    shift
+    hashes one wedge.gltf look.gltf --fov 45 "$@" && cp said first && hashes other wedge.gltf "$as" --fov 45 "$@" || { cat said; return 1; }
+    cat first
+    [ "$(wc -l <one)" = 2 ] && cmp one other
+}
+
+says() { # LINE MODEL CAMERA
+    hashes none "$2" "$3" && cat said && grep -qx "$1" said
+}
+
+refuses_camera() { # TEXT CAMERA
+    ! hashes none wedge.gltf "$2" && cat said && grep -qx "limner: $2: $1" said
+}
+
+pieces cameras
+tap_check "cameras of a glTF file, below nodes, are cameras" looks_as look.cam
+tap_check "where z is up, they turn with the model" looks_as turned.cam --up z
+tap_check "another field of view is told" says 'limner: note: look.gltf: 2 cameras have another field of view than the 60 degrees that are drawn; --fov 45 is that of the first of them' wedge.gltf look.gltf
+tap_check "an orthographic one is refused by its name" refuses_camera "camera 'first' is not a perspective one, which alone are drawn" flat.gltf
+tap_check "a file without cameras is none of cameras" refuses_camera "there is no camera in it" wedge.gltf
+cd .. || exit 1
+
 pieces bounds
 for name in count offset view buffer stride sparse_count huge; do
     tap_check "what is whole is read: $name" accepts ${name}_n.gltf

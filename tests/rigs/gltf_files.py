@@ -323,6 +323,31 @@ def said():
         obj(name, wedge_faces())
 
 
+def cameras():
+    """look.gltf has two cameras, look.cam the same as lines; flat.gltf one that is orthographic."""
+    def turned(axis, angle):
+        return [math.sin(angle / 2) if i == axis else 0 for i in range(3)] + [math.cos(angle / 2)]
+    out = File()
+    wedge(out)
+    out.write('wedge.gltf')
+    root = {'asset': {'version': '2.0'}, 'scene': 0, 'scenes': [{'nodes': [0]}],
+            'nodes': [{'translation': [2, 1, 0], 'rotation': turned(1, math.pi / 2), 'children': [1, 2]},
+                      {'camera': 0, 'name': 'first', 'translation': [0.5, 1, 9]},
+                      {'camera': 0, 'name': 'second', 'translation': [0, 8, 6], 'rotation': turned(0, -0.9), 'scale': [2, 2, 2]}],
+            'cameras': [{'type': 'perspective', 'perspective': {'yfov': math.radians(45), 'znear': 0.1}}]}
+    # A quarter about y takes z to x, and x to -z.
+    lines = [(2 + 9, 2, -0.5, 2 + 8, 2, -0.5), (2 + 6, 9, 0, 2 + 6 - math.cos(0.9), 9 - math.sin(0.9), 0)]
+    with open('look.gltf', 'w') as file:
+        json.dump(root, file)
+    with open('look.cam', 'w') as file:
+        file.write(''.join(' '.join(map(repr, line)) + '\n' for line in lines))
+    with open('turned.cam', 'w') as file: # where z is up, it becomes y
+        file.write(''.join(' '.join(map(repr, (a, c, -b, d, f, -e))) + '\n' for a, b, c, d, e, f in lines))
+    root['cameras'] = [{'type': 'orthographic', 'orthographic': {'xmag': 1, 'ymag': 1, 'znear': 0.1, 'zfar': 9}}]
+    with open('flat.gltf', 'w') as file:
+        json.dump(root, file)
+
+
 def bounds():
     """NAME_n.gltf is whole; NAME_n1.gltf asks for one more than there is."""
     def pair(name, change):
@@ -347,5 +372,5 @@ def bounds():
 
 os.chdir(sys.argv[1])
 for part in sys.argv[2:]:
-    {'accessors': accessors, 'textures': textures, 'instances': instances, 'emission': emission, 'said': said,
+    {'accessors': accessors, 'textures': textures, 'instances': instances, 'emission': emission, 'said': said, 'cameras': cameras,
      'bounds': bounds}[part]()
