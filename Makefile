@@ -47,7 +47,7 @@ help: ## [care] list the goals
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
 packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev libmeshoptimizer-dev zlib1g-dev \
-	libgpiod-dev libhidapi-dev libarchive-dev
+	libgpiod-dev libhidapi-dev libarchive-dev lib3mf-dev
 packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base tidy freedoom python3
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
 packages-fixed         := $(packages-host) $(packages-arm)
@@ -124,13 +124,13 @@ GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
 FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
 	-DLIM_GPIOD=$(GPIOD) -DSCREEN_STREAMS=1 \
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
-LINKS = $(shell pkg-config --libs $(LIBRARIES)) -lmeshoptimizer -lgmp -lz -lm
+LINKS = $(shell pkg-config --libs $(LIBRARIES)) -l3MF -lmeshoptimizer -lgmp -lz -lm
 
 progress    = sh sim/tools/progress.sh
 progress_of = $(BUILD)/progress $(progress_count)
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
-rooms   := base core pictures model levels readers scene trees cameras displays glass render accuracy compiler export measure page cli
+rooms   := base core pictures model levels files gltf formats readers scene trees cameras displays glass render accuracy compiler export measure page cli
 firmware_rooms := math view screen pixels lines movers touch pieces routes orders
 sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c) hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
@@ -197,7 +197,7 @@ $(BUILD)/limner: $(call object,sim/cli/main.c) $(library) | $(BUILD)/count_plugi
 	@$(CC) $(HOST_OPT) -o $@ $(filter %.o %.a,$^) $(LINKS)
 
 # `limner measure` builds firmware for emulated processors and with other sub-pixel bits; QEMU loads a plugin that counts.
-$(call object,sim/measure/measure_cost.c sim/measure/sub_bits.c sim/cli/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
+$(call object,sim/measure/measure_cost.c sim/measure/sub_bits.c sim/cli/cmd_measure.c sim/cli/sweep_results.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
 	-DLIM_COUNT_PLUGIN='"$(abspath $(BUILD))/count_plugin.so"'
 
 # What reports say of the sources: written anew, and compiled anew, when it changes. A copy that git does not know, built
@@ -301,7 +301,7 @@ run: $(BUILD)/limner $(demo) ## [start] compile and render the demo scene into o
 	$(LIVE)mkdir -p out
 	$(LIVE)$(BUILD)/limner compile $(BUILD)/scenes/demo.obj -o out/demo
 	$(LIVE)$(BUILD)/limner render $(BUILD)/scenes/demo.obj --camera $(BUILD)/scenes/demo.cam --size 240x240 \
-		-o 'out/%03d.png' --gif out/demo.gif --sheet out/sheet.png --stats --compare
+		-o 'out/%03d.png' --gif out/demo.gif --sheet out/sheet.png --stats --compare --brief
 	$(LIVE)echo "The pictures: out/sheet.png (all at once) and out/demo.gif (moving)"
 
 view: $(BUILD)/limner $(demo) ## [start] fly through the demo scene in a window
@@ -350,7 +350,7 @@ tests/cli/cli_bench.sh: $(BUILD)/generate_bench
 tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
 tests/sub_bits.sh: $(BUILD)/limner $(addprefix $(BUILD)/tests/,test_convex test_scanline test_target_errors)
 
-suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh)
+suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh tests/formats/*.sh)
 suite-arm       := $(wildcard tests/arm/arm_*.sh)
 suite-fixed     := $(BUILD)/tests/test_fixed tests/arm/arm_fixed.sh
 suite-cpus      := $(wildcard tests/cpus/cpus_*.sh)

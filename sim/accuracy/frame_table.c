@@ -210,13 +210,14 @@ static double column_worst(const struct column *column, const struct frame_row *
     return worst;
 }
 
-static void print_table(const struct column *columns, size_t column_count, const struct frame_row *rows, size_t count,
-                        FILE *out)
+static void print_table(const struct column *columns, size_t column_count, const struct frame_rows *of, FILE *out)
 {
+    const struct frame_row *rows = of->rows;
+    const size_t count = of->count;
     fprintf(out, "%5s", "frame");
     for (size_t c = 0; c < column_count; c++)
         fprintf(out, " %*s", columns[c].width, columns[c].name);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count && !of->is_brief; i++) {
         fprintf(out, "\n%5zu", i);
         for (size_t c = 0; c < column_count; c++)
             fprintf(out, " %*.*f", columns[c].width, columns[c].decimals, columns[c].value(&rows[i]));
@@ -232,29 +233,33 @@ static void print_table(const struct column *columns, size_t column_count, const
     fputc('\n', out);
 }
 
-void frame_table_print_stats(const struct frame_row *rows, size_t count, FILE *out)
+void frame_table_print_stats(const struct frame_rows *rows, FILE *out)
 {
-    print_table(STATS_COLUMNS, sizeof STATS_COLUMNS / sizeof STATS_COLUMNS[0], rows, count, out);
+    print_table(STATS_COLUMNS, sizeof STATS_COLUMNS / sizeof STATS_COLUMNS[0], rows, out);
 }
 
 /* The first frame is whole. */
-void frame_table_print_delta(const struct frame_row *rows, size_t count, FILE *out)
+void frame_table_print_delta(const struct frame_rows *of, FILE *out)
 {
+    const struct frame_row *rows = of->rows;
+    const size_t count = of->count;
     const struct column bytes = {"bus_b", 8, 0, bus_b};
-    print_table(DELTA_COLUMNS, sizeof DELTA_COLUMNS / sizeof DELTA_COLUMNS[0], rows, count, out);
+    print_table(DELTA_COLUMNS, sizeof DELTA_COLUMNS / sizeof DELTA_COLUMNS[0], of, out);
     if (count < 2 || !rows[0].bus_b) return;
     fprintf(out, "delta: %.2f %% of the first frame's bytes, which is whole; worst %.2f %%\n",
             100.0 * column_mean(&bytes, rows + 1, count - 1) / (double)rows[0].bus_b,
             100.0 * column_worst(&bytes, rows + 1, count - 1) / (double)rows[0].bus_b);
 }
 
-void frame_table_print_movers(const struct frame_row *rows, size_t count, FILE *out)
+void frame_table_print_movers(const struct frame_rows *rows, FILE *out)
 {
-    print_table(MOVER_COLUMNS, sizeof MOVER_COLUMNS / sizeof MOVER_COLUMNS[0], rows, count, out);
+    print_table(MOVER_COLUMNS, sizeof MOVER_COLUMNS / sizeof MOVER_COLUMNS[0], rows, out);
 }
 
-void frame_table_print_predicted(const struct frame_row *rows, size_t count, const struct lim_target *target, FILE *out)
+void frame_table_print_predicted(const struct frame_rows *of, const struct lim_target *target, FILE *out)
 {
+    const struct frame_row *rows = of->rows;
+    const size_t count = of->count;
     double sum = 0.0, worst = 0.0;
     for (size_t i = 0; i < count; i++) {
         const double cost = frame_cost_m0plus(&rows[i].stats, target);
@@ -266,17 +271,19 @@ void frame_table_print_predicted(const struct frame_row *rows, size_t count, con
                 sum / (double)count, worst);
 }
 
-void frame_table_print_newell(const struct frame_row *rows, size_t count, FILE *out)
+void frame_table_print_newell(const struct frame_rows *rows, FILE *out)
 {
-    print_table(NEWELL_COLUMNS, sizeof NEWELL_COLUMNS / sizeof NEWELL_COLUMNS[0], rows, count, out);
+    print_table(NEWELL_COLUMNS, sizeof NEWELL_COLUMNS / sizeof NEWELL_COLUMNS[0], rows, out);
 }
 
-void frame_table_print_compare(const struct frame_row *rows, size_t count, FILE *out)
+void frame_table_print_compare(const struct frame_rows *of, FILE *out)
 {
+    const struct frame_row *rows = of->rows;
+    const size_t count = of->count;
     struct comparison sum = {0};
     for (size_t i = 0; i < count; i++)
         comparison_add(&sum, &rows[i].compare);
-    print_table(COMPARE_COLUMNS, sizeof COMPARE_COLUMNS / sizeof COMPARE_COLUMNS[0], rows, count, out);
+    print_table(COMPARE_COLUMNS, sizeof COMPARE_COLUMNS / sizeof COMPARE_COLUMNS[0], of, out);
     fprintf(out,
             "compared with the reference: %zu frames, wrong %.4f %% (worst %.4f %%, frame %zu), "
             "beyond a one-pixel shift %.2f ppm, holes %zu\n",
@@ -284,8 +291,10 @@ void frame_table_print_compare(const struct frame_row *rows, size_t count, FILE 
             compare_beyond_ppm(&sum.total), sum.total.holes);
 }
 
-void frame_table_print_edges(const struct frame_row *rows, size_t count, FILE *out)
+void frame_table_print_edges(const struct frame_rows *of, FILE *out)
 {
+    const struct frame_row *rows = of->rows;
+    const size_t count = of->count;
     struct edge_error_sum sum = {0};
     for (size_t i = 0; i < count; i++) {
         sum.pixels += rows[i].edges.pixels;
@@ -293,7 +302,7 @@ void frame_table_print_edges(const struct frame_row *rows, size_t count, FILE *o
             sum.error[picture] += rows[i].edges.error[picture];
     }
     const double aliased = edge_error_mean(&sum, EDGE_ERROR_ALIASED), smooth = edge_error_mean(&sum, EDGE_ERROR_SMOOTH);
-    print_table(EDGE_COLUMNS, sizeof EDGE_COLUMNS / sizeof EDGE_COLUMNS[0], rows, count, out);
+    print_table(EDGE_COLUMNS, sizeof EDGE_COLUMNS / sizeof EDGE_COLUMNS[0], of, out);
     fprintf(out,
             "edges against %d rays a pixel in double precision: %zu pixels, mean absolute error %.3f of 255 aliased, "
             "%.3f antialiased: %.1f %% (%.3f is the panel's rounding)\n",

@@ -3,6 +3,7 @@
  * Each part is cleaned as the compiler cleans it, and keeps its own numbers. */
 #include "accuracy/moving_reference.h"
 
+#include "accuracy/source_pose.h"
 #include "base/grow.h"
 #include "model/model_part.h"
 #include "model/pose.h"
@@ -71,7 +72,9 @@ bool moving_reference(const struct moving *moving, struct reference *reference, 
 void moving_pose_reference(const struct moving *moving, struct reference *reference, double time_s)
 {
     for (size_t i = 0; i < moving->count; i++) {
-        const struct model_pose pose = pose_at(&moving->model, &moving->model.movers[i], time_s);
+        struct model_pose pose;
+        if (!source_pose(&moving->model, i, time_s, &pose))
+            pose = pose_at(&moving->model, &moving->model.movers[i], time_s);
         reference_pose(reference, i + 1, &pose);
     }
 }

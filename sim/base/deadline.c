@@ -4,6 +4,7 @@
 #include "base/deadline.h"
 
 #include "base/parse.h"
+#include "base/progress.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -53,9 +54,19 @@ bool deadline_is_set(void)
     return !isinf(end_s);
 }
 
+static size_t cuts;
+
 bool deadline_passed(void)
 {
-    return !isinf(end_s) && clock_now_s() >= end_s;
+    progress_beat();
+    const bool has_passed = !isinf(end_s) && clock_now_s() >= end_s;
+    cuts += has_passed;
+    return has_passed;
+}
+
+size_t deadline_cuts(void)
+{
+    return cuts;
 }
 
 /* A stretch may have had a part of the time only. */

@@ -26,6 +26,9 @@ bool deadline_is_set(void);
 /* Whether loops should end, because time is over. Some 30 ns. */
 bool deadline_passed(void);
 
+/* How often somebody has been told so: what is made meanwhile may hang on the machine's speed. */
+size_t deadline_cuts(void);
+
 /* An error if they should. `doing` says what is not finished: "no tree of 500 polygons so far". */
 bool deadline_check(struct error *err, const char *doing, ...) __attribute__((format(printf, 2, 3)));
 

@@ -7,6 +7,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 bool parse_number(const char *option, const char *text, double *out, struct error *err)
 {
@@ -84,5 +85,17 @@ bool parse_ram(const char *text, size_t *bytes, double *percent, struct error *e
     if (strchr(text, '%')) return parse_bound("--ram", text, "%", percent, err);
     if (!parse_whole("--ram", text, 1, UINT32_MAX, &whole, err)) return false;
     *bytes = whole;
+    return true;
+}
+
+bool parse_picture_path(const char *option, const char *path, const char *suffix, struct error *err)
+{
+    static const char *const others[] = {".png", ".gif", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".tga"};
+    const char *own = strrchr(path, '.');
+    if (!own || strcasecmp(own, suffix) == 0) return true;
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (strcasecmp(own, others[i]) == 0)
+            return error_set(err, "%s %s: it writes %s files; name it %.*s%s", option, path, suffix + 1,
+                             (int)(own - path), path, suffix);
     return true;
 }

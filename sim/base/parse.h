@@ -32,6 +32,9 @@ bool parse_near(const char *text, double *near_m, struct error *err);
 /* --fov DEG: above 0 and below 180. */
 bool parse_fov(const char *text, double *fov_deg, struct error *err);
 
+/* A picture's file: the name of another kind of picture than `suffix` (".png") is refused. */
+bool parse_picture_path(const char *option, const char *path, const char *suffix, struct error *err);
+
 /* --tolerance UNITS */
 bool parse_tolerance(const char *text, double *units, struct error *err);
 

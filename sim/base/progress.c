@@ -4,19 +4,59 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
 #include <unistd.h>
 
-enum { PERCENT = 100 };
+enum { PERCENT = 100, EVERY_S = 10 };
 
 #define CLEAR_LINE "\r\x1B[K"
+
+/* On a pipe: what is being done, and when that, or something before it, was told. */
+static char doing[160];
+static time_t told_s;
+
+static time_t now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec;
+}
+
+/* 0: nothing is told on pipes. */
+static time_t every_s(void)
+{
+    const char *text = getenv("LIMNER_PROGRESS");
+    return text && *text ? (time_t)strtol(text, NULL, 10) : EVERY_S;
+}
+
+void progress_beat(void)
+{
+    if (!doing[0] || !told_s) return;
+    const time_t now = now_s(), every = every_s();
+    if (every <= 0 || now - told_s < every) return;
+    told_s = now;
+    fprintf(stderr, "limner: %s\n", doing);
+}
+
+/* The first stretch counts from where long work begins. */
+static void take(const char *format, va_list arguments)
+{
+    vsnprintf(doing, sizeof doing, format, arguments);
+    if (!told_s) told_s = now_s();
+    progress_beat();
+}
 
 void progress(const char *format, ...)
 {
     va_list arguments;
-    if (!isatty(STDERR_FILENO)) return;
-    fputs(CLEAR_LINE, stderr);
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    if (isatty(STDERR_FILENO)) {
+        fputs(CLEAR_LINE, stderr);
+        vfprintf(stderr, format, arguments);
+    } else {
+        take(format, arguments);
+    }
     va_end(arguments);
 }
 
@@ -30,16 +70,24 @@ void progress_bar(size_t done, size_t all, const char *format, ...)
 {
     static const char full[] = "====================", empty[] = "                    ";
     enum { WIDTH = sizeof full - 1 };
+    if (!all || done > all || !bar_moves(done, all)) {
+        progress_beat();
+        return;
+    }
+    char text[sizeof doing - 16];
     va_list arguments;
-    if (!all || done > all || !bar_moves(done, all) || !isatty(STDERR_FILENO)) return;
-    const int marks = (int)(done * WIDTH / all);
-    fprintf(stderr, CLEAR_LINE "[%.*s%.*s] %3zu %% ", marks, full, WIDTH - marks, empty, done * PERCENT / all);
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    const int marks = (int)(done * WIDTH / all);
+    if (isatty(STDERR_FILENO))
+        progress("[%.*s%.*s] %3zu %% %s", marks, full, WIDTH - marks, empty, done * PERCENT / all, text);
+    else
+        progress("%zu %% %s", done * PERCENT / all, text);
 }
 
 void progress_end(void)
 {
+    doing[0] = '\0';
     if (isatty(STDERR_FILENO)) fputs(CLEAR_LINE, stderr);
 }

@@ -5,7 +5,7 @@
 #include "base/notice.h"
 #include "base/vec3.h"
 #include "model/model_orientation.h"
-#include "readers/gltf_file.h"
+#include "gltf/gltf_file.h"
 #include "readers/node_transforms.h"
 
 #include <math.h>

@@ -32,7 +32,7 @@ static bool open_screen(struct flown *flown, struct error *err)
 
 static bool open_scene(struct flown *flown, struct error *err)
 {
-    const struct options *options = &flown->options;
+    struct options *options = &flown->options;
     struct moving *moving = &flown->moving;
     return options_load(options, &flown->scene, moving, &flown->lens, &flown->path, err) &&
            simulator_init_to(&flown->simulator, &flown->scene.scene, &options->setup, &flown->screen.target, err) &&

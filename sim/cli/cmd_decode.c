@@ -79,7 +79,9 @@ static bool decode_parse(struct decode *decode, int argc, char **argv, struct er
 
 static bool start(struct decode *decode, struct error *err)
 {
-    if (decode->pattern && !output_pattern_check(decode->pattern, err)) return false;
+    if (decode->pattern &&
+        !(parse_picture_path("-o", decode->pattern, ".png", err) && output_pattern_check(decode->pattern, err)))
+        return false;
     if (decode->map_path && !qemu_map_read(&decode->map, decode->map_path, err)) return false;
     module_choice_picture(&decode->module.module, &decode->w_px, &decode->h_px);
     const size_t pixel_count = (size_t)decode->w_px * decode->h_px;

@@ -198,6 +198,7 @@ static void play_free(struct play *play)
     free(play->lines);
     camera_path_free(&play->path);
     compiled_free(&play->scene);
+    compile_options_free(&play->options.compile);
     moving_free(&play->moving);
 }
 

@@ -16,6 +16,7 @@
 #include "compiler/faithful.h"
 #include "core/core.h"
 #include "levels/level_path.h"
+#include "model/mapping.h"
 #include "pictures/dump.h"
 #include "pictures/frame_file.h"
 #include "pictures/hashes.h"
@@ -42,6 +43,7 @@ struct render {
     struct simulator simulator;
     struct ids ids;             /* --ids, --compare */
     struct reference reference; /* --compare */
+    uint32_t *groups;           /* faces of one polygon, for what compares; NULL: each is for itself */
     struct edge_error edges;    /* --antialias --compare */
     struct caption caption;     /* --overlay */
     struct outputs outputs;
@@ -98,7 +100,19 @@ static void print_notes(const struct compile_report *report)
     for (size_t i = 0; i < report->note_count; i++)
         if (!report->notes[i].is_detail) notice("%s", report->notes[i].text);
     if (report->mesh.clamped) notice("%zu faces have an opacity beyond 0..1, clamped", report->mesh.clamped);
-    if (report->mesh.unmapped) notice("%zu faces have a texture, but no texture coordinates", report->mesh.unmapped);
+    for (enum unmapped kind = 0; kind < UNMAPPED_KINDS; kind++)
+        if (report->mesh.unmapped[kind])
+            notice("%zu faces %s; they have its mean colour", report->mesh.unmapped[kind], unmapped_words(kind));
+}
+
+/* What was merged is one face for whoever compares; with --ids nothing is. */
+static bool take_groups(struct render *render, struct error *err)
+{
+    if (render->options.compile.keep_faces) return true;
+    if (render->moving.count) return moving_groups(&render->moving, &render->groups, err);
+    render->groups = render->scene.groups;
+    render->scene.groups = NULL;
+    return true;
 }
 
 /* The reference's faces have colours if none of them moves. */
@@ -147,7 +161,7 @@ static bool start(struct render *render, struct error *err)
     faithful_note(&render->scene);
     if (!options->compare) return true;
     if (measures_edges(render) && !edge_error_init(&render->edges, &render->scene, &options->setup, err)) return false;
-    return read_reference(render, w_px, h_px, err);
+    return take_groups(render, err) && read_reference(render, w_px, h_px, err);
 }
 
 /* Frames ------------------------------------------------------------------------------------- */
@@ -175,7 +189,7 @@ static bool identify_frame(struct render *render, size_t frame, const struct lim
     moving_pose_reference(&render->moving, &render->reference, frame_time_s(render, frame));
     reference_draw(&render->reference, &render->path.frames[frame], &render->lens);
     render->rows[frame].compare =
-        compare_picture(render->ids.faces, &render->reference, NULL, 1.0 / render->scene.grid.units_per_m);
+        compare_picture(render->ids.faces, &render->reference, render->groups, 1.0 / render->scene.grid.units_per_m);
     return !measures_edges(render) || edge_error_frame(&render->edges, &render->reference, &render->path.frames[frame],
                                                        &render->lens, camera, &render->rows[frame].edges, err);
 }
@@ -282,26 +296,23 @@ static bool is_predictable(const struct render *render)
 
 static void print_tables(const struct render *render)
 {
+    const struct frame_rows rows = {render->rows, render->path.count, render->options.brief};
     if (render->options.stats) {
         printf("%ux%u pixels, ", render->options.setup.w_px, render->options.setup.h_px);
         if (render->simulator.board)
             printf("through the emulated %s\n", render->simulator.board->name);
         else
             puts("into plain memory: no emulated panel, nothing sent on a bus");
-        frame_table_print_stats(render->rows, render->path.count, stdout);
-        if (is_predictable(render))
-            frame_table_print_predicted(render->rows, render->path.count, &render->simulator.target, stdout);
-        if (render->options.setup.method == LIM_NEWELL)
-            frame_table_print_newell(render->rows, render->path.count, stdout);
+        frame_table_print_stats(&rows, stdout);
+        if (is_predictable(render)) frame_table_print_predicted(&rows, &render->simulator.target, stdout);
+        if (render->options.setup.method == LIM_NEWELL) frame_table_print_newell(&rows, stdout);
     }
-    if (render->options.stats && render->moving.count)
-        frame_table_print_movers(render->rows, render->path.count, stdout);
-    if (render->options.stats && render->options.delta_runs)
-        frame_table_print_delta(render->rows, render->path.count, stdout);
-    if (render->options.compare) frame_table_print_compare(render->rows, render->path.count, stdout);
+    if (render->options.stats && render->moving.count) frame_table_print_movers(&rows, stdout);
+    if (render->options.stats && render->options.delta_runs) frame_table_print_delta(&rows, stdout);
+    if (render->options.compare) frame_table_print_compare(&rows, stdout);
     if (render->options.compare && render->options.compile.antialias && render->moving.count)
         puts("edges: not compared where objects move");
-    if (measures_edges(render)) frame_table_print_edges(render->rows, render->path.count, stdout);
+    if (measures_edges(render)) frame_table_print_edges(&rows, stdout);
 }
 
 /* Checks come last: a frame that differs is worth looking at, so the files stay. */
@@ -346,8 +357,10 @@ static void render_free(struct render *render)
     ids_free(&render->ids);
     edge_error_free(&render->edges);
     reference_free(&render->reference);
+    free(render->groups);
     camera_path_free(&render->path);
     compiled_free(&render->scene);
+    compile_options_free(&render->options.compile);
     moving_free(&render->moving);
     free(render->rows);
     free(render->hashes);

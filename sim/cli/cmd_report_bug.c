@@ -6,9 +6,9 @@
 #include "cli/options.h"
 #include "cli/report_file.h"
 #include "cli/report_run.h"
+#include "files/inputs.h"
 #include "levels/level_path.h"
 #include "model/model.h"
-#include "readers/inputs.h"
 #include "readers/model_import.h"
 #include "scene/scene_files.h"
 
@@ -47,6 +47,10 @@ static bool take_option(struct packing *packing, const struct given_option *give
         packing->report_path = given->value;
         return true;
     }
+    if (strcmp(given->name, "path") == 0)
+        return error_set(err,
+                         "--path: a report holds one list of cameras, those of --camera; leave it out, or name what "
+                         "was chosen by --method and --tree");
     if (strcmp(given->name, "ids") == 0) return report_add_argument(packing->report, REPORT_IDS_OPTION, err);
     if (given->files == OPTION_NAMES_FILE) return true;
     const char *value = given->value;

@@ -5,7 +5,6 @@
 #include "base/notice.h"
 #include "base/parse.h"
 #include "compiler/compile.h"
-#include "compiler/portal_choice.h"
 #include "core/core_parse.h"
 #include "levels/level_path.h"
 #include "measure/worst_views.h"
@@ -24,7 +23,6 @@ enum option_code {
     OPTION_TOLERANCE = 256,
     OPTION_METHOD,
     OPTION_KEEP_FACES,
-    OPTION_PORTALS,
     OPTION_BACKGROUND,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
@@ -43,14 +41,12 @@ enum option_code {
     OPTION_MOVER_LIGHT,
     OPTION_REPORT,
     OPTION_OVERLAY,
-    OPTION_WORST,
-    OPTION_PATH
+    OPTION_WORST
 };
 
 static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"method", required_argument, NULL, OPTION_METHOD},
-    {"portals", required_argument, NULL, OPTION_PORTALS},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"background", required_argument, NULL, OPTION_BACKGROUND},
     COMPILE_MODEL_OPTIONS,
@@ -71,7 +67,6 @@ static const struct option OPTIONS[] = {
     {"panel", required_argument, NULL, OPTION_PANEL},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
-    {"path", required_argument, NULL, OPTION_PATH},
     {"worst", optional_argument, NULL, OPTION_WORST},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
@@ -122,8 +117,6 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return parse_tolerance(optarg, &out->compile.tolerance_units, err);
     case OPTION_METHOD:
         return compile_method_parse(optarg, &out->compile, err);
-    case OPTION_PORTALS:
-        return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_BACKGROUND:
         return parse_background(optarg, &out->compile.background, err);
     case OPTION_PRECISION:
@@ -140,8 +133,6 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return camera_choice_parse(optarg, &out->bound.cameras, err);
     case OPTION_CORE:
         return measure_cpu_parse(optarg, &out->bound.cpu, err);
-    case OPTION_PATH:
-        return compile_path_parse(optarg, &out->compile, err);
     case OPTION_WORST:
         return worst_tries_parse(optarg, &out->compile.worst_tries, err);
     case OPTION_MOVERS:
@@ -178,13 +169,8 @@ static void settle_panel(struct compile_request *request)
 
 bool compile_request_parse(int argc, char **argv, struct compile_request *out, struct error *err)
 {
-    *out = (struct compile_request){.command = argv[0],
-                                    .compile = {.tolerance_units = 0.5,
-                                                .splitter = "auto",
-                                                .trial = TRIAL_IF_SPLIT,
-                                                .choose_order = true,
-                                                .portals = PORTALS_AUTO,
-                                                .predict = true}};
+    *out = (struct compile_request){.command = argv[0], .compile = compile_options_usual()};
+    out->compile.predict = true;
     out->bound = (struct choice_bound){.wrong_percent = -1.0, .vertex_px = -1.0};
     opterr = 0;
     optind = 1;

@@ -9,7 +9,7 @@
 #include "cli/usage.h"
 #include "compiler/compile_options.h"
 #include "compiler/moving_compile.h"
-#include "compiler/portal_choice.h"
+#include "compiler/compile_options.h"
 #include "core/core.h"
 #include "displays/display.h"
 #include "export/world.h"

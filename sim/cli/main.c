@@ -3,6 +3,7 @@
  * The host program `limner`: hands its arguments to a subcommand. */
 #include "agree.h"
 #include "base/arguments.h"
+#include "base/cache.h"
 #include "base/deadline.h"
 #include "base/ending.h"
 #include "base/streams.h"
@@ -27,6 +28,7 @@ static const struct command {
                 {"measure", cmd_measure, true},
                 {"compare", cmd_compare, true},
                 {"splitters", cmd_splitters, true},
+                {"sweep", cmd_sweep, false},
                 {"play", cmd_play, true},
                 {"devices", cmd_devices, false},
                 {"bridge", cmd_bridge, false},
@@ -61,7 +63,9 @@ static bool has_help_option(int argc, char **argv)
 
 static int no_command(const char *name)
 {
-    fprintf(stderr, "limner: no command '%s'; `limner help` lists them\n", name);
+    const char *nearest = usage_nearest_command(name);
+    fprintf(stderr, "limner: no command '%s'%s%s%s; `limner help` lists them\n", name, nearest ? ", is it " : "",
+            nearest ? nearest : "", nearest ? "?" : "");
     return EXIT_FAILURE;
 }
 
@@ -87,7 +91,8 @@ static int run_command(const struct command *command, int argc, char **argv)
 {
     struct arguments arguments = {argv, argc};
     struct error err;
-    if (!command->is_long || (model_options_take(&arguments, &err) && begin_time(&arguments, &err)))
+    if (usage_check_options(command->name, argv + 1, &err) &&
+        (!command->is_long || (model_options_take(&arguments, &err) && begin_time(&arguments, &err))))
         return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);
     return EXIT_FAILURE;
@@ -118,6 +123,7 @@ int main(int argc, char **argv)
 {
     streams_prepare();
     ending_prepare();
+    cache_begin();
     const int status = run(argc, argv);
     if (status == 0) deadline_tell();
     return streams_end(status);

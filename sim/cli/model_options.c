@@ -3,9 +3,9 @@
  * What is taken out of any command line with models, before the command reads it. */
 #include "cli/options.h"
 #include "compiler/texture_budget.h"
+#include "files/companion.h"
+#include "files/picture.h"
 #include "levels/level_moves.h"
-#include "readers/companion.h"
-#include "readers/picture.h"
 
 #include <string.h>
 

@@ -7,6 +7,7 @@
 #include "base/outputs.h"
 #include "base/parse.h"
 #include "compiler/compile.h"
+#include "compiler/order_choice.h"
 #include "core/core.h"
 #include "core/core_parse.h"
 #include "displays/module_choice.h"
@@ -17,6 +18,7 @@
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { ORBIT_FRAMES = 16, UNSAID_SIZE_PX = 240, MOST_RUNS = 60000, MOST_FRAMES = 100000 };
 
@@ -26,6 +28,7 @@ enum option_code {
     OPTION_SHEET,
     OPTION_IDS,
     OPTION_STATS,
+    OPTION_BRIEF,
     OPTION_COMPARE,
     OPTION_CHECK,
     OPTION_WRITE_HASHES,
@@ -50,12 +53,13 @@ enum option_code {
 };
 
 /* Those that only `render` has come first. */
-enum { RENDER_ONLY_OPTIONS = 15 };
+enum { RENDER_ONLY_OPTIONS = 16 };
 static const struct option OPTIONS[] = {
     {"gif", required_argument, NULL, OPTION_GIF},
     {"sheet", required_argument, NULL, OPTION_SHEET},
     {"ids", required_argument, NULL, OPTION_IDS},
     {"stats", no_argument, NULL, OPTION_STATS},
+    {"brief", no_argument, NULL, OPTION_BRIEF},
     {"compare", no_argument, NULL, OPTION_COMPARE},
     {"check", required_argument, NULL, OPTION_CHECK},
     {"write-hashes", required_argument, NULL, OPTION_WRITE_HASHES},
@@ -161,6 +165,8 @@ static bool *flag_of(int code, struct options *out)
         return &out->compile.antialias;
     case OPTION_STATS:
         return &out->stats;
+    case OPTION_BRIEF:
+        return &out->brief;
     case OPTION_COMPARE:
         return &out->compare;
     default:
@@ -189,6 +195,18 @@ static const char **text_of(int code, struct options *out)
     }
 }
 
+/* One GIF is all frames. */
+static bool parse_out(const char *text, struct options *out, struct error *err)
+{
+    const char *suffix = strrchr(text, '.');
+    if (suffix && strcasecmp(suffix, ".gif") == 0 && output_is_one(text)) {
+        out->gif_path = text;
+        return true;
+    }
+    out->frame_pattern = text;
+    return parse_picture_path("-o", text, ".png", err) && (output_is_one(text) || output_pattern_check(text, err));
+}
+
 static bool parse_option(int code, const char *text, struct options *out, struct error *err)
 {
     bool *const flag = flag_of(code, out);
@@ -197,7 +215,8 @@ static bool parse_option(int code, const char *text, struct options *out, struct
     if (compile_options_know(code)) return compile_options_take(code, text, &out->compile, err);
     if (kept) {
         *kept = text;
-        return true;
+        return (code != OPTION_GIF || parse_picture_path("--gif", text, ".gif", err)) &&
+               (code != OPTION_SHEET || parse_picture_path("--sheet", text, ".png", err));
     }
     switch (code) {
     case OPTION_CAMERA:
@@ -231,13 +250,13 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         out->compile.delta = true;
         return parse_runs(text, &out->delta_runs, err);
     case OPTION_OVERLAY:
+        out->compile.overlay = true;
         out->overlay_text = text;
         return caption_check(text, err);
     case OPTION_TOLERANCE:
         return parse_tolerance(text, &out->compile.tolerance_units, err);
     case OPTION_OUT:
-        out->frame_pattern = text;
-        return output_is_one(text) || output_pattern_check(text, err);
+        return parse_out(text, out, err);
     default:
         return false;
     }
@@ -258,6 +277,8 @@ static enum option_files files_of(int code, const char *value)
     case OPTION_CAMERA:
         return camera_choice_parse(value, &cameras, &ignored) && cameras.random_count ? OPTION_NAMES_NONE
                                                                                       : OPTION_READS_CAMERAS;
+    case COMPILE_PATH:
+        return OPTION_READS_CAMERAS;
     case OPTION_OUT:
     case OPTION_GIF:
     case OPTION_SHEET:
@@ -330,17 +351,26 @@ static bool asks_for_output(const struct options *options)
            options->check_path || options->hashes_path || options->cameras_path || options->stats || options->compare;
 }
 
-/* A file without a tree is drawn by the method that it is for, unless another is named, or what no such method draws is
- * asked for. What cannot be read, or not be drawn, is refused where it is loaded. */
+/* Whether a method draws all that is asked for. */
+static bool draws_what_is_asked(enum lim_method draws, const struct options *options, const struct lim_scene *scene)
+{
+    const struct compile_options *compile = &options->compile;
+    struct error ignored;
+    return (!options->wireframe.on || method_draws_wireframe(draws, &ignored)) &&
+           (!compile->antialias || method_antialiases(draws, options->wireframe.on, &ignored)) &&
+           method_scans(draws, order_needs_nearest(compile, scene), &ignored);
+}
+
+/* A file is drawn by the method that it is for, unless another is named, or what that method does not draw is asked
+ * for. What cannot be read, or not be drawn, is refused where it is loaded. */
 static void settle_file(struct options *out)
 {
     struct compile_options *compile = &out->compile;
     struct compiled scene;
     struct error ignored;
-    const bool needs_tree = out->wireframe.on || compile->antialias || out->delta_runs;
-    if (compile->method || compile->tree != TREE_AUTO || needs_tree || !options_scene_is_compiled(out)) return;
+    if (compile->method || compile->tree != TREE_AUTO || !options_scene_is_compiled(out)) return;
     if (!lim_file_read(out->scene_path, &scene, &ignored)) return;
-    compile->method = method_of_scene(&scene.scene);
+    if (draws_what_is_asked(scene.report.draws, out, &scene.scene)) compile->method = method_that(scene.report.draws);
     compiled_free(&scene);
 }
 
@@ -350,7 +380,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     *out = (struct options){.setup = {0, 0, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
                             .orbit_frames = ORBIT_FRAMES,
                             .frames_per_s = 15.0,
-                            .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT}};
+                            .compile = compile_options_usual()};
     opterr = 0;
     optind = 1;
     const struct option *known = OPTIONS + (is_render ? 0 : RENDER_ONLY_OPTIONS);
@@ -378,7 +408,8 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (out->setup.panel == SIMULATOR_PANEL) options_settle_panel(out, &out->panel);
     if (!settle_frames(out, err)) return false;
     if (out->has_rate && !out->gif_path) idle_options_add(&out->idle, "fps");
-    out->compile.keep_faces = out->ids_path || out->compare;
+    out->compile.keep_faces = out->ids_path != NULL;
+    out->compile.framebuffer = out->setup.panel == SIMULATOR_FRAMEBUFFER;
     out->compile.w_px = out->setup.w_px;
     out->compile.h_px = out->setup.h_px;
     out->compile.core = out->setup.core;

@@ -3,6 +3,7 @@
  * From options to a scene and its cameras. */
 #include "base/notice.h"
 #include "base/outputs.h"
+#include "cameras/facing.h"
 #include "cli/options.h"
 #include "compiler/order_choice.h"
 #include "scene/scene_files.h"
@@ -33,8 +34,12 @@ bool options_scene_is_compiled(const struct options *options)
     return lim_file_is_named(options->scene_path);
 }
 
-static bool load_scene(const struct options *options, struct compiled *scene, struct moving *moving, struct error *err)
+/* `path`: the cameras of a file, which the scene must suit; empty: they are found when it is known. */
+static bool load_scene(const struct options *options, const struct camera_path *path, struct compiled *scene,
+                       struct moving *moving, struct error *err)
 {
+    struct compile_options compile = options->compile;
+    compile.eyes = *path;
     if (options_scene_is_compiled(options)) {
         const bool any_does = method_needs_no_tree(options->setup.method) || options->compile.portals == PORTALS_ON;
         if (options->compile.tree != TREE_AUTO && !any_does)
@@ -45,8 +50,8 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
                (options->compile.portals != PORTALS_ON || scene->scene.place_count ||
                 error_set(err, "%s: --method portals needs a scene compiled with --portals on", options->scene_path));
     }
-    if (!moving) return compile_model(options->scene_path, &options->compile, scene, err);
-    if (!moving_compile(options->scene_path, &options->compile, &options->movers, scene, moving, err)) return false;
+    if (!moving) return compile_model(options->scene_path, &compile, scene, err);
+    if (!moving_compile(options->scene_path, &compile, &options->movers, scene, moving, err)) return false;
     model_tell(options->scene_path, &moving->model);
     return true;
 }
@@ -95,15 +100,28 @@ double options_rate(const struct options *options, const struct moving *moving, 
     return options_loop(options, moving) ? (double)count / loop_length_s(options, moving) : options->frames_per_s;
 }
 
-bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
+/* What moves turns its faces. */
+static void note_backs(const struct options *options, const struct moving *moving, const struct camera_path *path)
+{
+    if (!moving || moving->count || options_scene_is_compiled(options) || facing_any(&moving->model, path)) return;
+    notice(
+        "%s: all its faces turn their backs to every camera, and backs are not drawn: --two-sided or --reverse-faces",
+        options->scene_path);
+}
+
+bool options_load(struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err)
 {
     if (!compile_options_cameras(&options->compile, &options->cameras, path, err)) return false;
-    if ((path->count && !take_frames(options, path, err)) || !load_scene(options, scene, moving, err)) return false;
+    if ((path->count && !take_frames(options, path, err)) || !load_scene(options, path, scene, moving, err))
+        return false;
+    if (!options_scene_is_compiled(options)) options->setup.method = scene->report.draws;
     note_idle(options, moving);
     if (!lens_for_grid(lens, options->compile.fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
                        options->setup.h_px, err))
         return false;
     if (options->compile.near_m <= 0.0) lens_note_near(options->scene_path, &scene->grid);
-    return camera_choice_plan(&options->cameras, scene, lens, orbit_frames(options, moving), path, err);
+    if (!camera_choice_plan(&options->cameras, scene, lens, orbit_frames(options, moving), path, err)) return false;
+    note_backs(options, moving, path);
+    return true;
 }

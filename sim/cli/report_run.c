@@ -8,7 +8,7 @@
 #include "base/ending.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "readers/companion.h"
+#include "files/companion.h"
 
 #include <errno.h>
 #include <fcntl.h>

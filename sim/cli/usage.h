@@ -5,6 +5,8 @@
 #ifndef SIM_CLI_USAGE_H
 #define SIM_CLI_USAGE_H
 
+#include "base/error.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -29,6 +31,13 @@ struct usage_entry {
 /* NULL: there are no more. */
 const struct usage_command *usage_command_at(size_t index);
 const struct usage_entry *usage_entry_at(size_t index);
+
+/* The nearest command; NULL: none is near. */
+const char *usage_nearest_command(const char *name);
+
+/* An option among the arguments that the command does not have while it has one that is nearly called so: err asks for
+ * that. Others are the command's affair. */
+bool usage_check_options(const char *command, char *const *arguments, struct error *err);
 
 /* Not in the help of all commands together: a heading says it there. */
 bool usage_is_alone(const struct usage_entry *entry);

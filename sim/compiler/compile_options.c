@@ -3,6 +3,7 @@
  * What options of a command line set, and what follows from them: a method may need a tree of its own kind, or none. */
 #include "compiler/compile_options.h"
 
+#include "base/choice.h"
 #include "base/parse.h"
 #include "cameras/gltf_cameras.h"
 #include "core/core.h"
@@ -11,7 +12,7 @@
 
 #include <string.h>
 
-const char *const mesh_leaves_names[] = {"auto", "none", "all"};
+const char *const mesh_leaves_names[] = {"auto", "none", "all", NULL};
 
 /* Options --------------------------------------------------------------------------------------- */
 
@@ -24,23 +25,68 @@ static bool parse_tree(const char *text, struct compile_options *out, struct err
 
 static bool parse_mesh_leaves(const char *text, enum mesh_leaves *out, struct error *err)
 {
-    for (int i = 0; i <= MESH_LEAVES_ALL; i++) {
-        if (strcmp(text, mesh_leaves_names[i]) != 0) continue;
-        *out = (enum mesh_leaves)i;
-        return true;
-    }
-    return error_set(err, "--mesh-leaves %s: no such choice; there are auto, none and all", text);
+    size_t index;
+    if (!choice_find(&(struct choice){"--mesh-leaves", "choice", choice_in_array, mesh_leaves_names}, text, &index,
+                     err))
+        return false;
+    *out = (enum mesh_leaves)index;
+    return true;
 }
 
 static bool parse_coordinates(const char *text, enum coordinates *out, struct error *err)
 {
-    static const char *const names[] = {"auto", "16", "32"};
-    for (int i = 0; i <= COORDINATES_32; i++) {
+    static const char *const names[] = {"auto", "16", "32", NULL};
+    size_t index;
+    if (!choice_find(&(struct choice){"--coordinates", "choice", choice_in_array, names}, text, &index, err))
+        return false;
+    *out = (enum coordinates)index;
+    return true;
+}
+
+bool portals_parse(const char *text, enum portals_wanted *out, struct error *err)
+{
+    static const char *const names[] = {[PORTALS_OFF] = "off", [PORTALS_AUTO] = "auto", [PORTALS_ON] = "on"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         if (strcmp(text, names[i]) != 0) continue;
-        *out = (enum coordinates)i;
+        *out = (enum portals_wanted)i;
         return true;
     }
-    return error_set(err, "--coordinates %s: no such choice; there are auto, 16 and 32", text);
+    return error_set(err, "--portals %s: there are on, off and auto", text);
+}
+
+static const double USUAL_DEG = 60; /* of a picture whose size nobody has said */
+
+bool compile_options_cameras(const struct compile_options *options, const struct camera_choice *choice,
+                             struct camera_path *out, struct error *err)
+{
+    struct camera_choice here = *choice;
+    here.z_is_up = options->orientation.up == UP_Z;
+    here.fov_deg = options->fov_deg;
+    if (!(here.fov_deg > 0))
+        here.fov_deg = options->h_px ? lens_usual_fov_deg(options->w_px, options->h_px) : USUAL_DEG;
+    return camera_choice_read(&here, out, err);
+}
+
+/* What was read before is freed. */
+static bool parse_path(const char *text, struct compile_options *out, struct error *err)
+{
+    struct camera_choice choice;
+    if (!camera_choice_parse(text, &choice, err)) return false;
+    if (choice.random_count) return error_set(err, "--path %s: a program's cameras are in a file, not at random", text);
+    if (gltf_cameras_are_named(text))
+        return error_set(err, "--path %s: a file of cameras, or a map; those of glTF are for --camera alone", text);
+    choice.takes_times = true;
+    camera_path_free(&out->path);
+    return camera_choice_read(&choice, &out->path, err);
+}
+
+struct compile_options compile_options_usual(void)
+{
+    return (struct compile_options){.tolerance_units = 0.5,
+                                    .splitter = "auto",
+                                    .trial = TRIAL_IF_SPLIT,
+                                    .choose_order = true,
+                                    .portals = PORTALS_AUTO};
 }
 
 bool compile_options_know(int code)
@@ -66,6 +112,10 @@ bool compile_options_take(int code, const char *text, struct compile_options *ou
         return true;
     case COMPILE_MESH_LEAVES:
         return parse_mesh_leaves(text, &out->mesh_leaves, err);
+    case COMPILE_PORTALS:
+        return portals_parse(text, &out->portals, err);
+    case COMPILE_PATH:
+        return parse_path(text, out, err);
     case COMPILE_FOV:
         return parse_fov(text, &out->fov_deg, err);
     default:
@@ -88,31 +138,6 @@ bool compile_options_settle(struct compile_options *options, struct error *err)
     return method->tree == TREE_AUTO || method->tree == options->tree ||
            error_set(err, "--method %s --tree %s: that method has a tree of its own", method->name,
                      tree_names[options->tree]);
-}
-
-static const double USUAL_DEG = 60; /* of a picture whose size nobody has said */
-
-bool compile_options_cameras(const struct compile_options *options, const struct camera_choice *choice,
-                             struct camera_path *out, struct error *err)
-{
-    struct camera_choice here = *choice;
-    here.z_is_up = options->orientation.up == UP_Z;
-    here.fov_deg = options->fov_deg;
-    if (!(here.fov_deg > 0))
-        here.fov_deg = options->h_px ? lens_usual_fov_deg(options->w_px, options->h_px) : USUAL_DEG;
-    return camera_choice_read(&here, out, err);
-}
-
-bool compile_path_parse(const char *text, struct compile_options *out, struct error *err)
-{
-    struct camera_choice choice;
-    if (!camera_choice_parse(text, &choice, err)) return false;
-    if (choice.random_count) return error_set(err, "--path %s: a program's cameras are in a file, not at random", text);
-    if (gltf_cameras_are_named(text))
-        return error_set(err, "--path %s: a file of cameras, or a map; those of glTF are for --camera alone", text);
-    choice.takes_times = true;
-    camera_path_free(&out->path);
-    return camera_choice_read(&choice, &out->path, err);
 }
 
 void compile_options_free(struct compile_options *options)
@@ -143,7 +168,7 @@ bool compile_options_may_leaf(const struct compile_options *options)
     return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
 }
 
-static bool may_be_long(const struct compile_options *options)
+bool compile_options_may_be_long(const struct compile_options *options)
 {
     const enum lim_method draws = compile_options_draws(options);
     if (options->drop_small) return false;
@@ -153,7 +178,7 @@ static bool may_be_long(const struct compile_options *options)
 
 bool compile_options_coordinates(const struct compile_options *options, enum coordinates *out, struct error *err)
 {
-    const bool may = may_be_long(options);
+    const bool may = compile_options_may_be_long(options);
     *out = may ? options->coordinates : COORDINATES_16;
     return may || options->coordinates != COORDINATES_32 ||
            error_set(err, "--coordinates 32: not with --drop-small, mesh leaves, or methods that do not walk a tree");

@@ -5,6 +5,8 @@
 
 #include "accuracy/moving_reference.h"
 #include "accuracy/predict.h"
+#include "accuracy/promise.h"
+#include "base/choice.h"
 #include "base/grow.h"
 #include "cameras/camera_path.h"
 #include "compiler/compile.h"
@@ -13,6 +15,8 @@
 #include "compiler/texture_budget.h"
 #include "model/baked_light.h"
 #include "model/model_part.h"
+#include "model/moving_frame.h"
+#include "readers/import_motion.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
 #include "scene.h"
@@ -31,20 +35,21 @@ static const double GRID_END = 32767.0, AT_END_Q8 = 16777216.0, ORIGIN_END = 107
 bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *err)
 {
     static const char *const names[] = {
-        [MOVING_CLIPPED] = "clipped", [MOVING_BY_CENTRE] = "centre", [MOVING_OFF] = "off"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(text, names[i]) != 0) continue;
-        *out = (enum moving_mode)i;
-        return true;
-    }
-    return error_set(err, "--movers %s: no such way; there are clipped, centre and off", text);
+        [MOVING_CLIPPED] = "clipped", [MOVING_BY_CENTRE] = "centre", [MOVING_OFF] = "off", NULL};
+    size_t index;
+    if (!choice_find(&(struct choice){"--movers", "way", choice_in_array, names}, text, &index, err)) return false;
+    *out = (enum moving_mode)index;
+    return true;
 }
 
 bool moving_light_parse(const char *text, bool *out, struct error *err)
 {
-    *out = strcmp(text, "turning") == 0;
-    return *out || strcmp(text, "baked") == 0 ||
-           error_set(err, "--mover-light %s: no such light; there are baked and turning", text);
+    static const char *const names[] = {"baked", "turning", NULL};
+    size_t index;
+    if (!choice_find(&(struct choice){"--mover-light", "light", choice_in_array, names}, text, &index, err))
+        return false;
+    *out = index == 1;
+    return true;
 }
 
 /* The finest grid that holds the object. In a scene of many scales it may also be coarser. */
@@ -122,7 +127,9 @@ static bool motion_set(const struct model *model, size_t index, const struct gri
     for (uint32_t i = 0; i < mover->key_count; i++)
         if (!key_set(&model->keys[mover->first_key + i], grid, &object->keys[i],
                      grid->is_long ? &object->origins[i] : NULL))
-            return error_set(err, "node '%s': it moves farther than twice the scene's size", mover->name);
+            return error_set(err, "node '%s': it moves too far for coordinates of %d bits; %s--movers off helps",
+                             mover->name, grid->is_long ? 32 : 16,
+                             grid->is_long ? "" : "--coordinates 32, a ground in the scene or ");
     for (uint32_t i = 0; i + 1 < mover->key_count; i++)
         arc_set(&object->keys[i], &object->keys[i + 1]);
     object->motion = (struct lim_motion){
@@ -156,9 +163,10 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     own.portals = PORTALS_OFF;
     memcpy(object->name, moving->model.movers[index].name, sizeof object->name);
     model_part(&moving->model, index + 1, !moving->light.on, &part, &numbers);
-    bool ok = object_grid(scene_grid, &part, &grid, instance) ||
-              error_set(err, "its mesh reaches farther from the node's origin than the scene that it moves in is "
-                             "large; a ground in the scene helps, or --movers off");
+    bool ok =
+        object_grid(scene_grid, &part, &grid, instance) ||
+        error_set(err, "its mesh is too large beside what stands still; --coordinates 32, a ground in the scene or "
+                       "--movers off helps");
     ok = ok && compile_part(&part, &grid, &own, &object->scene, err);
     if (ok) number_faces(&object->scene, numbers);
     if (!ok) {
@@ -213,6 +221,16 @@ static void note_numbers(const struct moving *moving, struct compiled *scene)
                  "too many textured polygons: where all that moves is in view, some of it shows colours");
 }
 
+/* Trees with leaves order such objects piece by piece. */
+static void note_crowd(struct moving *moving, const struct compiled *scene)
+{
+    if (moving->crowded > 0)
+        model_note(&moving->model,
+                   "objects that move pass through each other in a crowd: in %.2g %% of sampled views some of them may "
+                   "be wrong, with holes; %s helps",
+                   100 * moving->crowded, scene->grid.is_long ? "--movers off" : "--tree clusters");
+}
+
 static void limits_set(struct moving *moving)
 {
     size_t polygons = 0;
@@ -250,7 +268,8 @@ static bool predict_parts(struct moving *moving, const struct core *core, struct
     scene->moving = moving;
     const bool ok = moving_groups(moving, &groups, err) &&
                     moving_reference(moving, &reference, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
-                    predict_wrong(scene, core, &reference, groups, &scene->report.wrong, err);
+                    predict_wrong(scene, core, &reference, groups, moving->model.face_count, &scene->report.wrong, err);
+    if (ok) promise_note(scene);
     scene->moving = NULL; /* the caller's */
     reference_free(&reference);
     free(groups);
@@ -276,9 +295,7 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     if (own.tree == TREE_AUTO) own.tree = TREE_BSP;
     own.predict = false; /* all parts together are */
     model_part(&moving->model, 0, true, &part, &numbers);
-    bool ok =
-        part.face_count || error_set(err, "everything in it is animated; objects move in a scene that stands still");
-    ok = ok && compile_part(&part, NULL, &own, scene, err) && may_move(scene, own.tree, err);
+    bool ok = compile_part(&part, NULL, &own, scene, err) && may_move(scene, own.tree, err);
     if (ok) number_faces(scene, numbers);
     model_free(&part);
     free(numbers);
@@ -297,9 +314,10 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
         note_untextured(&moving->model, i, &scene->report);
     if (is_textured) note_numbers(moving, scene);
     limits_set(moving);
-    return !method_can_move(own.method->draws) || /* refused where they are to be drawn */
-           (pools_measure_moving(scene, moving, options->core, err) &&
-            order_choose_moving(scene, moving, options, err) &&
+    if (!method_can_move(own.method->draws)) return true; /* refused where they are to be drawn */
+    if (!pools_measure_moving(scene, moving, options->core, err)) return false;
+    note_crowd(moving, scene);
+    return (order_choose_moving(scene, moving, options, err) &&
             (!options->predict || predict_parts(moving, options->core, scene, err)));
 }
 
@@ -308,7 +326,8 @@ static void stop_movers(struct moving *moving)
     struct model *model = &moving->model;
     for (size_t i = 0; i < model->face_count; i++)
         model->faces[i].mover = 0;
-    moving->stopped = model->mover_count;
+    moving->stopped = model->mover_count + model->is_stopped;
+    if (moving->stopped) model_note(model, "what is animated stands still where the file has it");
     model->mover_count = model->key_count = 0;
 }
 
@@ -325,8 +344,9 @@ bool moving_compile(const char *path, const struct compile_options *options, con
 {
     struct model model;
     *moving = (struct moving){0};
+    motions_leave_out(movers->mode == MOVING_OFF);
     if (!model_read(path, &options->orientation, &model, err)) return false;
-    if (options->predict && !source_take(path, &model, err)) {
+    if (!compile_source(path, &model, options, err)) {
         model_free(&model);
         return false;
     }
@@ -339,6 +359,7 @@ bool moving_compile_model(const struct model *model, const struct compile_option
 {
     *moving = (struct moving){.model = *model};
     if (movers->mode == MOVING_OFF) stop_movers(moving);
+    moving_frame_add(&moving->model, options->background);
     if (movers->light && !options->unlit) keep_movers_unlit(moving, options->mono);
     compile_options_light(options, &moving->model);
     if (!texture_budget_apply(&moving->model, options, err)) return false;

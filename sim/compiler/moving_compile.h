@@ -21,8 +21,8 @@ struct moving_options {
 /* --mover-light baked or turning. */
 bool moving_light_parse(const char *text, bool *out, struct error *err);
 
-/* Model file -> compiled scene and objects. Refuses objects that do not fit the scene's grid, and models in which
- * nothing stands still. Both are the caller's to free, also after a failure. */
+/* Model file -> compiled scene and objects. Refuses objects that do not fit the scene's grid. Both are the caller's to
+ * free, also after a failure. */
 bool moving_compile(const char *path, const struct compile_options *options, const struct moving_options *movers,
                     struct compiled *scene, struct moving *moving, struct error *err);
 

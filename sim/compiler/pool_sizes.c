@@ -48,6 +48,7 @@ struct usage {
     double instructions_most;           /* beyond that no more frames are drawn; 0: whatever it takes */
     uint64_t reached, seen;             /* polygons that face the eye, and those of which something shows */
     uint32_t splits;                    /* of all frames */
+    size_t forced;                      /* frames in which what moves is put in order without being sure */
     uint32_t splits_max, entries_max;   /* strays included: without room for a piece the picture may be wrong */
     struct pool_search_result searched; /* what options.worst asks for; else nothing was tried */
 };
@@ -98,6 +99,7 @@ static void note(struct usage *usage, const struct simulator *simulator)
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
     usage->leaf_polygons[i] = within(stats->leaf_polygons_max);
+    usage->forced += stats->movers.forced > 0;
     if (stats->movers.entries > usage->entries_max) usage->entries_max = stats->movers.entries;
 }
 
@@ -345,6 +347,7 @@ static void raise_limits(struct compiled *roomy, struct moving *moving, struct u
         limits->leaf_polygons =
             greater(limits->leaf_polygons, with_margin(most(usage, usage->leaf_polygons), LEAST_LEAF));
     if (moving) usage->splits_max = usage->entries_max;
+    if (moving && usage->cameras) moving->crowded = (double)usage->forced / (double)usage->cameras;
     if (moving && entries_for(usage, moving) < moving->limits.entries)
         moving->limits.entries = entries_for(usage, moving);
 }

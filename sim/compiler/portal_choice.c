@@ -26,17 +26,6 @@ enum { LOOK_UP_INSTRUCTIONS = 2700 }; /* a frame, on a Cortex-M0+ (firmware/DESI
 static const double LEAST_ANGLE_RAD = 1.0 / 128.0;
 static const double VERTEX_ERROR_PX = 4.0; /* in sub-pixels: rounding, and what the matrix errs; in draft, pixels */
 
-bool portals_parse(const char *text, enum portals_wanted *out, struct error *err)
-{
-    static const char *const names[] = {[PORTALS_OFF] = "off", [PORTALS_AUTO] = "auto", [PORTALS_ON] = "on"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(text, names[i]) != 0) continue;
-        *out = (enum portals_wanted)i;
-        return true;
-    }
-    return error_set(err, "--portals %s: there are on, off and auto", text);
-}
-
 static double angle_of(const struct compiled *scene, const struct compile_options *options)
 {
     const struct core *core = options->core ? options->core : &core_fast;

@@ -23,11 +23,19 @@ static void print_mended(const struct mesh_counts *mesh)
     const struct {
         const char *what;
         size_t count;
-    } rows[] = {{"opacity beyond 0..1, clamped", mesh->clamped}, {"invisible, dropped", mesh->invisible},
-                {"no area, dropped", mesh->zero_area},           {"too small for the grid", mesh->too_small},
-                {"not planar, triangulated", mesh->non_planar},  {"not convex, triangulated", mesh->concave},
-                {"texture bent, triangulated", mesh->bent},      {"no texture coordinates", mesh->unmapped},
-                {"merged into a neighbour", mesh->merged},       {"T-vertices inserted", mesh->t_vertices}};
+    } rows[] = {{"opacity beyond 0..1, clamped", mesh->clamped},
+                {"invisible, dropped", mesh->invisible},
+                {"no area, dropped", mesh->zero_area},
+                {"too small for the grid", mesh->too_small},
+                {"not planar, triangulated", mesh->non_planar},
+                {"not convex, triangulated", mesh->concave},
+                {"texture bent, triangulated", mesh->bent},
+                {"no texture coordinates", mesh->unmapped[UNMAPPED_MISSING]},
+                {"texture coordinates infinite", mesh->unmapped[UNMAPPED_INFINITE]},
+                {"texture coordinates too far", mesh->unmapped[UNMAPPED_FAR]},
+                {"texture too fine", mesh->unmapped[UNMAPPED_FINE]},
+                {"merged into a neighbour", mesh->merged},
+                {"T-vertices inserted", mesh->t_vertices}};
     print_count("faces in the model", mesh->faces);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         if (rows[i].count) print_count(rows[i].what, rows[i].count);

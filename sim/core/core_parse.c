@@ -3,6 +3,7 @@
  * Profiles by their names, colours as RGB565. */
 #include "core/core_parse.h"
 
+#include "base/choice.h"
 #include "base/rgb565.h"
 
 #include <stdlib.h>
@@ -10,10 +11,18 @@
 
 enum { COLOUR_DIGITS = 6 };
 
+static const char *name_at(const void *list, size_t index)
+{
+    const struct core *const *of = list;
+    return of[index] ? of[index]->name : NULL;
+}
+
 bool parse_precision(const char *text, const struct core **core, struct error *err)
 {
-    *core = core_find(text);
-    return *core || error_set(err, "--precision %s: no such profile; there are draft, fast, fine and exact", text);
+    size_t index;
+    if (!choice_find(&(struct choice){"--precision", "profile", name_at, cores}, text, &index, err)) return false;
+    *core = cores[index];
+    return true;
 }
 
 /* Six hexadecimal digits, then `stop`. */

@@ -3,6 +3,8 @@
  * The renderers there are. */
 #include "core/core.h"
 
+#include "base/choice.h"
+
 #include <string.h>
 
 const struct core *const cores[] = {&core_draft, &core_fast, &core_fine, &core_exact, NULL};
@@ -10,6 +12,6 @@ const struct core *const cores[] = {&core_draft, &core_fast, &core_fine, &core_e
 const struct core *core_find(const char *name)
 {
     for (size_t i = 0; cores[i]; i++)
-        if (strcmp(cores[i]->name, name) == 0) return cores[i];
+        if (choice_is(name, strlen(name), cores[i]->name)) return cores[i];
     return NULL;
 }

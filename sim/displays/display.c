@@ -4,6 +4,7 @@
 #include "displays/display.h"
 
 #include "base/c_field.h"
+#include "base/choice.h"
 
 #include <string.h>
 
@@ -227,22 +228,11 @@ struct lim_wireframe panel_choice_outlines(const struct panel_choice *choice)
     return wireframe;
 }
 
-static bool refuse_panel(const char *text, const char *also, struct error *err)
+static const char *panel_name_at(const void *list, size_t index)
 {
     struct panel_choice choice;
-    char names[256] = "";
-    size_t used = 0;
-    for (size_t i = 0; panel_choice_at(i, &choice); i++)
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", choice.name);
-    return error_set(err, "--panel %s: no such panel; there are %s%s%s", text, names, also ? ", and " : "",
-                     also ? also : "");
-}
-
-static bool find_panel(const char *name, size_t length, struct panel_choice *out)
-{
-    for (size_t i = 0; panel_choice_at(i, out); i++)
-        if (strlen(out->name) == length && strncmp(out->name, name, length) == 0) return true;
-    return false;
+    (void)list;
+    return panel_choice_at(index, &choice) ? choice.name : NULL;
 }
 
 static bool parse_format(const char *text, struct panel_choice *out, struct error *err)
@@ -252,7 +242,7 @@ static bool parse_format(const char *text, struct panel_choice *out, struct erro
     for (int i = 0; i < PANEL_FORMATS; i++) {
         if (!(out->formats >> i & 1)) continue;
         out->format = (enum panel_format)i;
-        if (strcmp(text, FORMATS[i]) == 0) return true;
+        if (choice_is(text, strlen(text), FORMATS[i])) return true;
         used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", FORMATS[i]);
     }
     return error_set(err, "--panel %s:%s: it does not take that format; there are %s", out->name, text, names);
@@ -260,9 +250,12 @@ static bool parse_format(const char *text, struct panel_choice *out, struct erro
 
 bool panel_choice_parse(const char *text, const char *also, struct panel_choice *out, struct error *err)
 {
-    const char *colon = strchr(text, ':');
-    if (!find_panel(text, colon ? (size_t)(colon - text) : strlen(text), out)) return refuse_panel(text, also, err);
-    return !colon || parse_format(colon + 1, out, err);
+    static const struct choice choice = {"--panel", "panel", panel_name_at, NULL};
+    const size_t length = strcspn(text, ":");
+    size_t index;
+    if (!choice_find_part(&choice, text, length, also, &index, err)) return false;
+    panel_choice_at(index, out);
+    return !text[length] || parse_format(text + length + 1, out, err);
 }
 
 bool display_module_check(const struct panel_choice *choice, const struct display_module *module, struct error *err)

@@ -4,6 +4,8 @@
  * ESP-IDF leaves of 400 KB and of an application partition of 1 MB. */
 #include "export/world.h"
 
+#include "base/choice.h"
+
 #include <string.h>
 
 #define COUNT(files) (sizeof(files) / sizeof *(files))
@@ -73,10 +75,15 @@ static const struct world WORLDS[] = {
     {"plain", "any compiler", NULL, "", "", PLAIN, COUNT(PLAIN), 1, NULL, 0, 0, false},
 };
 
+static const char *name_at(const void *list, size_t index)
+{
+    const struct world *of = list;
+    return index < COUNT(WORLDS) ? of[index].name : NULL;
+}
+
 const struct world *world_find(const char *name, struct error *err)
 {
-    for (size_t i = 0; i < COUNT(WORLDS); i++)
-        if (strcmp(WORLDS[i].name, name) == 0) return &WORLDS[i];
-    error_set(err, "--for %s: no such world; there are: arduino (PlatformIO as well), idf, pico, cmake, plain", name);
-    return NULL;
+    static const struct choice choice = {"--for", "world", name_at, WORLDS};
+    size_t index;
+    return choice_find(&choice, name, &index, err) ? &WORLDS[index] : NULL;
 }

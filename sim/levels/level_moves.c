@@ -5,6 +5,7 @@
  * are none of these: the map is shown as it begins. */
 #include "levels/level_moves.h"
 
+#include "base/choice.h"
 #include "base/grow.h"
 #include "levels/level_faces.h"
 #include "levels/level_textures.h"
@@ -41,13 +42,11 @@ enum level_doors level_doors(void)
 bool level_doors_parse(const char *text, enum level_doors *out, struct error *err)
 {
     static const char *const names[] = {
-        [LEVEL_DOORS_CLOSED] = "closed", [LEVEL_DOORS_OPEN] = "open", [LEVEL_DOORS_MOVE] = "move"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(text, names[i]) != 0) continue;
-        *out = (enum level_doors)i;
-        return true;
-    }
-    return error_set(err, "--doors %s: no such doors; there are closed, open and move", text);
+        [LEVEL_DOORS_CLOSED] = "closed", [LEVEL_DOORS_OPEN] = "open", [LEVEL_DOORS_MOVE] = "move", NULL};
+    size_t index;
+    if (!choice_find(&(struct choice){"--doors", "doors", choice_in_array, names}, text, &index, err)) return false;
+    *out = (enum level_doors)index;
+    return true;
 }
 
 /* Specials ----------------------------------------------------------------------------------- */

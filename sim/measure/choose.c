@@ -58,8 +58,7 @@ static bool sample_path(struct trial *trial, const struct compiled *scene, struc
     return trial->path.count > 0;
 }
 
-/* All but exact share a scene; exact, the last, is left out if its own takes too long. Those that are refused leave the
- * rows. */
+/* Those whose scenes take too long are left out, and those that are refused leave the rows. */
 static bool compile_rows(struct trial *trial, const struct compile_options *options, struct choice *choice,
                          struct error *err)
 {

@@ -5,6 +5,7 @@
 #include "measure/measurement.h"
 
 #include "base/child.h"
+#include "base/choice.h"
 #include "cameras/cameras_c.h"
 #include "core/core.h"
 #include "measure/counts.h"
@@ -38,10 +39,16 @@ const struct measure_cpu measure_cpus[] = {{"m0plus", "Cortex-M0+", ARM_TOOLS},
                                            {"rv32", "RV32IMC", RISCV_TOOLS}};
 const size_t measure_cpu_count = sizeof measure_cpus / sizeof *measure_cpus;
 
+static const char *name_at(const void *list, size_t index)
+{
+    const struct measure_cpu *of = list;
+    return index < measure_cpu_count ? of[index].name : NULL;
+}
+
 const struct measure_cpu *measure_cpu_find(const char *name)
 {
     for (size_t i = 0; i < measure_cpu_count; i++)
-        if (strcmp(measure_cpus[i].name, name) == 0) return &measure_cpus[i];
+        if (choice_is(name, strlen(name), measure_cpus[i].name)) return &measure_cpus[i];
     return NULL;
 }
 
@@ -54,8 +61,10 @@ static bool check_tool(const char *program, const char *package, struct error *e
 
 bool measure_cpu_parse(const char *name, const struct measure_cpu **out, struct error *err)
 {
-    *out = measure_cpu_find(name);
-    return *out || error_set(err, "--core %s: no such processor; there are m0plus, m3, m4, m33 and rv32", name);
+    size_t index;
+    if (!choice_find(&(struct choice){"--core", "processor", name_at, measure_cpus}, name, &index, err)) return false;
+    *out = &measure_cpus[index];
+    return true;
 }
 
 bool measure_cpu_check(const struct measure_cpu *cpu, struct error *err)

@@ -4,7 +4,7 @@
  * pixels of the face. */
 #include "model/flat_texture.h"
 
-#include "model/srgb.h"
+#include "base/rgb888.h"
 
 #include <math.h>
 
@@ -61,7 +61,7 @@ size_t flat_texture_find(struct model *model)
         uint32_t colour;
         if (!picture || !picture->pixels || picture->sky.times || !box_of_face(model, face, picture, &box)) continue;
         if (!is_one_colour(picture, &box, &colour)) continue;
-        face->colour = srgb_tinted(colour, face->colour);
+        face->colour = rgb888_times(colour, face->colour);
         if (picture->is_masked) face->transparency = colour & PICTURE_CLEAR ? INVISIBLE : 0;
         face->picture = 0;
         picture->faces--;

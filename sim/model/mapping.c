@@ -38,10 +38,19 @@ static const double *uv_of(const struct model *model, const struct model_face *f
     return NULL; /* not a corner of the face: cannot be */
 }
 
-static bool set_corners(struct corner *corners, const struct model *model, const struct model_face *face,
-                        const uint32_t *welded, const struct loop *loop, const struct loop_plane *plane,
-                        double axes[2][3], bool transposed, double uv_max)
+/* What stands in the way of showing the texture. UNMAPPED_KINDS: nothing. */
+static enum unmapped fault_of(double uv, double uv_max)
 {
+    if (isnan(uv)) return UNMAPPED_MISSING;
+    if (isinf(uv)) return UNMAPPED_INFINITE;
+    return fabs(uv) <= uv_max ? UNMAPPED_KINDS : UNMAPPED_FAR;
+}
+
+static enum unmapped set_corners(struct corner *corners, const struct model *model, const struct model_face *face,
+                                 const uint32_t *welded, const struct loop *loop, const struct loop_plane *plane,
+                                 double axes[2][3], bool transposed, double uv_max)
+{
+    enum unmapped worst = UNMAPPED_KINDS;
     for (size_t k = 0; k < loop->count; k++) {
         const double *uv = uv_of(model, face, welded, loop->corners[k]);
         double from_centre[3];
@@ -49,10 +58,11 @@ static bool set_corners(struct corner *corners, const struct model *model, const
         for (int i = 0; i < 2; i++) {
             corners[k].at[i] = vec3_dot(axes[i], from_centre);
             corners[k].uv[i] = uv ? uv[transposed ? 1 - i : i] : NAN;
-            if (!(fabs(corners[k].uv[i]) <= uv_max)) return false;
+            const enum unmapped fault = fault_of(corners[k].uv[i], uv_max);
+            if (fault < worst) worst = fault;
         }
     }
-    return true;
+    return worst;
 }
 
 /* Two directions of length 1 in the plane. */
@@ -154,15 +164,26 @@ uint32_t mapping_add(struct mesh *mesh, const struct model *model, const struct 
     for (int i = 0; i < 3; i++)
         mapping.centre_m[i] = plane.centre[i], mapping.normal[i] = plane.normal[i];
     set_axes(plane.normal, axes);
-    const bool ok =
-        model->uvs &&
-        set_corners(corners, model, face, welded, loop, &plane, axes, mesh->textures[mapping.texture].transposed,
-                    mesh->grid.is_long ? LONG_UV_MAX : UV_MAX) &&
-        fit(corners, loop->count, axes, &mapping) && !is_too_fine(mesh, &mapping);
+    enum unmapped fault = UNMAPPED_MISSING;
+    if (model->uvs)
+        fault = set_corners(corners, model, face, welded, loop, &plane, axes,
+                            mesh->textures[mapping.texture].transposed, mesh->grid.is_long ? LONG_UV_MAX : UV_MAX);
+    if (fault == UNMAPPED_KINDS && (!fit(corners, loop->count, axes, &mapping) || is_too_fine(mesh, &mapping)))
+        fault = UNMAPPED_FINE;
+    const bool ok = fault == UNMAPPED_KINDS;
     if (ok) *is_affine = worst_texels(mesh, &mapping, loop, corners) <= AFFINE_TEXELS;
     free(corners);
-    mesh->counts.unmapped += !ok;
+    if (!ok) mesh->counts.unmapped[fault]++;
     return ok ? list_add(mesh, &mapping) : 0;
+}
+
+const char *unmapped_words(enum unmapped kind)
+{
+    static const char *const words[UNMAPPED_KINDS] = {
+        "have a texture, but no texture coordinates", "have texture coordinates that are not finite",
+        "have texture coordinates too large to tell texels apart: take whole numbers off them",
+        "have a texture that is too fine, or no area, to be mapped on them"};
+    return words[kind];
 }
 
 bool mapping_agree(const struct mesh *mesh, uint32_t a, uint32_t b, const uint32_t *corners, size_t count)

@@ -18,6 +18,9 @@ uint32_t mapping_add(struct mesh *mesh, const struct model *model, const struct 
 /* Do both show the same wherever these corners are, within a 16th of a texel? Textures repeat. */
 bool mapping_agree(const struct mesh *mesh, uint32_t a, uint32_t b, const uint32_t *corners, size_t count);
 
+/* "N faces ...": why they do not show their texture. */
+const char *unmapped_words(enum unmapped kind);
+
 /* In pictures, across and down, at a point in metres. */
 void mapping_at(const struct mapping *mapping, const double point_m[3], double uv[2]);
 

@@ -36,26 +36,34 @@ struct mapping {
 
 /* One line of text on what could not be taken as it was. */
 struct note {
-    char text[256];
+    char text[512];
     bool is_detail; /* for the report alone */
 };
 
+/* Why a face does not show its texture. */
+enum unmapped { UNMAPPED_MISSING, UNMAPPED_INFINITE, UNMAPPED_FAR, UNMAPPED_FINE, UNMAPPED_KINDS };
+
 /* What became of the input; the report prints it. */
 struct mesh_counts {
-    size_t faces;      /* in the model file */
-    size_t clamped;    /* faces whose opacity was below 0 or above 1 */
-    size_t invisible;  /* faces dropped: of opacity 0 */
-    size_t zero_area;  /* faces dropped: all corners on one line */
-    size_t too_small;  /* faces dropped: they have an area, but corners that the grid cannot tell apart */
-    size_t non_planar; /* faces triangulated because a corner leaves the plane */
-    size_t concave;    /* faces triangulated because they are not convex */
-    size_t bent;       /* faces triangulated because their texture is bent */
-    size_t unmapped;   /* polygons without their texture: its coordinates are missing, not finite or too far apart */
-    size_t merged;     /* polygons that vanished into a coplanar neighbour */
-    size_t t_vertices; /* vertices inserted into edges of other polygons */
+    size_t faces;                    /* in the model file */
+    size_t clamped;                  /* faces whose opacity was below 0 or above 1 */
+    size_t invisible;                /* faces dropped: of opacity 0 */
+    size_t zero_area;                /* faces dropped: all corners on one line */
+    size_t too_small;                /* faces dropped: they have an area, but corners that the grid cannot tell apart */
+    size_t non_planar;               /* faces triangulated because a corner leaves the plane */
+    size_t concave;                  /* faces triangulated because they are not convex */
+    size_t bent;                     /* faces triangulated because their texture is bent */
+    size_t unmapped[UNMAPPED_KINDS]; /* polygons without their texture */
+    size_t merged;                   /* polygons that vanished into a coplanar neighbour */
+    size_t t_vertices;               /* vertices inserted into edges of other polygons */
 };
 
 struct original;
+
+/* A piece of a face that was cut and merged: it is in another polygon than the face's first piece. */
+struct mesh_piece {
+    uint32_t face, into; /* face numbers, as of merged_into */
+};
 
 struct mesh {
     double (*points)[3]; /* metres, no two nearer than grid_weld_m(); some may be unused */
@@ -78,6 +86,8 @@ struct mesh {
     uint32_t *merged_into;     /* counts.faces + 1 entries: merged_into[face] = face number of the polygon
                                   that holds it (its first piece, if it was cut), itself if unmerged, 0
                                   if dropped */
+    struct mesh_piece *pieces; /* of faces that were cut, by face: where merged_into does not have them */
+    size_t piece_count, piece_capacity;
 };
 
 /* Welds, drops faces of no area or opacity, triangulates what is not flat or not convex. Chooses the grid: the

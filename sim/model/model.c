@@ -47,5 +47,7 @@ void model_free(struct model *model)
     free(model->pictures);
     free(model->movers);
     free(model->keys);
+    if (model->source_motion) source_motion_free(model->source_motion);
+    free(model->source_motion);
     *model = (struct model){0};
 }

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "model/mipmap.h"
+#include "model/source_motion.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -46,6 +47,7 @@ struct model_mover {
     enum model_kind kind;
     struct model_pose rest; /* where `points` have it */
     uint32_t first_key, key_count;
+    uint32_t node; /* its number in the file, from 1; 0: the format has none */
 };
 
 struct model {
@@ -53,19 +55,23 @@ struct model {
     double (*uvs)[2]; /* of each point, in pictures, across from the left and down from the top; NULL: there are none */
     double (*source_points)[3]; /* the points as the reference's own reader has them (source.h); NULL: not read by it */
     bool has_no_source;         /* that reader was asked, and does not know the format */
+    struct source_motion *source_motion; /* likewise what moves; NULL: keys are all that is known */
     size_t point_count;
     uint32_t *corners; /* indices into points */
     size_t corner_count;
     struct model_face *faces; /* in the file's order */
     size_t face_count;
-    size_t alpha_clamped;     /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
-    struct picture *pictures; /* also those that cannot be read */
+    size_t made_faces;    /* the last ones, which are not the file's (moving_frame.h) */
+    size_t alpha_clamped; /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
+    size_t faces_of_many_colours; /* whose corners' colours differ: each has the mean of them */
+    struct picture *pictures;     /* also those that cannot be read */
     size_t picture_count;
     uint8_t texture_bits; /* of a part: no side of a texture is longer than 2^texture_bits; 0: nobody has said */
     struct model_mover *movers;
     size_t mover_count;
     struct model_key *keys; /* of each mover, by time */
     size_t key_count;
+    bool is_stopped;                    /* the file has animations, which were left out */
     double lattice_m;                   /* every coordinate is a multiple of this; 0: of nothing that is known */
     bool is_interior;                   /* seen from within alone: no eye is meant to be where backs are seen */
     bool z_was_up, faces_were_reversed; /* by model_orientation.h; the file has them otherwise */

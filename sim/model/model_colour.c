@@ -4,6 +4,7 @@
  * materials) is encoded as sRGB after all arithmetic. */
 #include "model/model_colour.h"
 
+#include "model/mean_colour.h"
 #include "model/model.h"
 #include "model/srgb.h"
 
@@ -22,10 +23,20 @@ static bool is_made_up(const struct aiMaterial *material)
            strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0;
 }
 
+/* Of an AMF file without colours the library makes vertices of which all four numbers are 0. */
+static bool vertices_have_colours(const struct aiMesh *mesh)
+{
+    const struct aiColor4D *colours = mesh->mColors[0];
+    for (unsigned i = 0; colours && i < mesh->mNumVertices; i++)
+        if (colours[i].r != 0 || colours[i].g != 0 || colours[i].b != 0 || colours[i].a != 0) return true;
+    return false;
+}
+
 static struct model_paint default_paint(const struct aiMesh *mesh)
 {
-    double grey = mesh->mColors[0] ? 1.0 : (MODEL_DEFAULT_COLOUR & 0xFF) / 255.0;
-    return (struct model_paint){.rgb = {grey, grey, grey}, .opacity = 1.0};
+    const bool by_vertex = vertices_have_colours(mesh);
+    const double grey = by_vertex ? 1.0 : (MODEL_DEFAULT_COLOUR & 0xFF) / 255.0;
+    return (struct model_paint){.rgb = {grey, grey, grey}, .opacity = 1.0, .by_vertex = by_vertex};
 }
 
 static float number_of(const struct aiMaterial *material, const char *key, unsigned type, unsigned index,
@@ -73,7 +84,9 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
     bool base = aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &colour) == aiReturn_SUCCESS;
     bool found = base || (!is_made_up(material) &&
                           aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &colour) == aiReturn_SUCCESS);
-    if (found) paint = (struct model_paint){.rgb = {colour.r, colour.g, colour.b}, .linear = base};
+    if (found)
+        paint =
+            (struct model_paint){.rgb = {colour.r, colour.g, colour.b}, .linear = base, .by_vertex = paint.by_vertex};
     int shading = 0;
     aiGetMaterialIntegerArray(material, AI_MATKEY_SHADING_MODEL, &shading, NULL);
     paint.unlit = shading == aiShadingMode_NoShading;
@@ -85,13 +98,16 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
     return paint;
 }
 
-double model_face_opacity(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
+/* Empty where vertices have no colours. */
+static struct mean_colour corners_of(const struct model_paint *paint, const struct aiMesh *mesh,
+                                     const struct aiFace *face)
 {
-    if (!paint->blends || !mesh->mColors[0]) return paint->opacity;
-    double sum = 0;
-    for (unsigned i = 0; i < face->mNumIndices; i++)
-        sum += mesh->mColors[0][face->mIndices[i]].a;
-    return paint->opacity * sum / face->mNumIndices;
+    struct mean_colour mean = {.count = 0};
+    for (unsigned i = 0; paint->by_vertex && i < face->mNumIndices; i++) {
+        const struct aiColor4D *c = &mesh->mColors[0][face->mIndices[i]];
+        mean_colour_add(&mean, (const double[4]){c->r, c->g, c->b, c->a});
+    }
+    return mean;
 }
 
 static uint32_t colour_of(const double rgb[3], bool is_linear)
@@ -112,17 +128,19 @@ uint32_t model_paint_emission(const struct model_paint *paint)
     return colour_of(paint->light, true);
 }
 
-uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
+double model_face_opacity(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
 {
-    double rgb[3] = {paint->rgb[0], paint->rgb[1], paint->rgb[2]};
-    if (mesh->mColors[0]) {
-        double sum[3] = {0, 0, 0};
-        for (unsigned i = 0; i < face->mNumIndices; i++) {
-            const struct aiColor4D *c = &mesh->mColors[0][face->mIndices[i]];
-            sum[0] += c->r, sum[1] += c->g, sum[2] += c->b;
-        }
-        for (int axis = 0; axis < 3; axis++)
-            rgb[axis] *= sum[axis] / face->mNumIndices;
-    }
+    const struct mean_colour corners = corners_of(paint, mesh, face);
+    return paint->opacity * (paint->blends ? mean_colour_of(&corners, 3) : 1);
+}
+
+uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face,
+                           bool *varies)
+{
+    const struct mean_colour corners = corners_of(paint, mesh, face);
+    double rgb[3];
+    for (int channel = 0; channel < 3; channel++)
+        rgb[channel] = paint->rgb[channel] * mean_colour_of(&corners, channel);
+    *varies = mean_colour_varies(mean_colour_spread(&corners));
     return colour_of(rgb, paint->linear);
 }

@@ -5,6 +5,7 @@
 #include "model/model_orientation.h"
 
 #include "base/vec3.h"
+#include "model/face_normal.h"
 #include "model/winding.h"
 
 #include <string.h>
@@ -33,20 +34,6 @@ static void box_of(const struct model *model, double least[3], double most[3])
             least[axis] = fmin(least[axis], model->points[model->corners[i]][axis]);
             most[axis] = fmax(most[axis], model->points[model->corners[i]][axis]);
         }
-}
-
-/* The sum of its triangles' normals: of the area's length twice. */
-static void face_normal(const struct model *model, const struct model_face *face, double normal[3])
-{
-    const uint32_t *corners = &model->corners[face->first];
-    memset(normal, 0, 3 * sizeof *normal);
-    for (uint32_t k = 2; k < face->count; k++) {
-        double a[3], b[3];
-        vec3_sub(a, model->points[corners[k - 1]], model->points[corners[0]]);
-        vec3_sub(b, model->points[corners[k]], model->points[corners[0]]);
-        for (int axis = 0; axis < 3; axis++)
-            normal[axis] += a[(axis + 1) % 3] * b[(axis + 2) % 3] - a[(axis + 2) % 3] * b[(axis + 1) % 3];
-    }
 }
 
 static bool is_below(const struct model *model, const struct model_face *face, int axis, double level_m)

@@ -79,7 +79,8 @@ void pose_turn_between(const double a[4], const double b[4], double t, double ou
 struct model_pose pose_at(const struct model *model, const struct model_mover *mover, double time_s)
 {
     const struct model_key *key = &model->keys[mover->first_key], *last = key + mover->key_count - 1;
-    if (last->time_s > 0) time_s = fmod(time_s, last->time_s);
+    const double length_s = round(last->time_s * 1000) / 1000; /* as firmware counts */
+    if (length_s > 0) time_s = fmod(time_s, length_s);
     while (key < last && key[1].time_s <= time_s)
         key++;
     if (key == last || time_s <= key->time_s) return key->pose;

@@ -19,7 +19,8 @@ void pose_leave(const struct model_pose *pose, const double own_m[3], double at_
 /* The shorter way round, evenly; t from 0 to 1. */
 void pose_turn_between(const double a[4], const double b[4], double t, double out[4]);
 
-/* Where a mover is. After the last key of all movers, which is that of each, comes the first one again. */
+/* Where a mover is. After the last key of all movers, which is that of each, comes the first one again: in the
+ * millisecond that is nearest. */
 struct model_pose pose_at(const struct model *model, const struct model_mover *mover, double time_s);
 
 #endif

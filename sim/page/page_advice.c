@@ -2,6 +2,7 @@
  *
  * What follows from the figures, each a rule with its numbers: what is dear first. */
 #include "core/core.h"
+#include "model/mapping.h"
 #include "page/html.h"
 #include "page/page.h"
 #include "page/page_board.h"
@@ -191,9 +192,10 @@ static void say_of_model(struct advice *advice)
         say(advice,
             "%zu of %zu faces were cut into triangles, as they or their textures are not flat: flat ones cost less.",
             bent, counts->faces);
-    if (counts->unmapped)
-        say(advice, "%zu faces have a texture and no texture coordinates, and are drawn in one colour.",
-            counts->unmapped);
+    for (enum unmapped kind = 0; kind < UNMAPPED_KINDS; kind++)
+        if (counts->unmapped[kind])
+            say(advice, "%zu faces %s; they are drawn in its mean colour.", counts->unmapped[kind],
+                unmapped_words(kind));
 }
 
 static void say_speed(struct advice *advice)

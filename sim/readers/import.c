@@ -7,19 +7,22 @@
 #include "readers/import.h"
 
 #include "base/grow.h"
+#include "files/companion.h"
+#include "files/inputs.h"
+#include "files/masked_picture.h"
+#include "files/picture.h"
+#include "formats/float_step.h"
+#include "formats/model_limits.h"
+#include "formats/own_formats.h"
+#include "gltf/gltf_plain.h"
 #include "levels/level_import.h"
 #include "levels/level_path.h"
 #include "model/model_colour.h"
-#include "readers/companion.h"
 #include "readers/emissive_picture.h"
-#include "readers/float_step.h"
-#include "readers/gltf_plain.h"
 #include "readers/import_motion.h"
-#include "readers/inputs.h"
-#include "readers/masked_picture.h"
 #include "readers/model_io.h"
+#include "readers/model_unit.h"
 #include "readers/model_whole.h"
-#include "readers/picture.h"
 #include "readers/vertex_numbers.h"
 
 #include <assimp/cimport.h>
@@ -28,9 +31,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A face's own limit: what is done with it takes time that grows with the square of its corners. */
-enum { MOST_CORNERS = 1 << 23, MOST_FACES = 1 << 20, MOST_FACE_CORNERS = 1024 };
 
 /* What became of the light that a material emits, if there is a picture in play. */
 enum light_in_picture { LIGHT_NONE, LIGHT_ALONE, LIGHT_DIMMED, LIGHT_LOST, LIGHTS_IN_PICTURES };
@@ -49,11 +49,12 @@ struct import {
     uint32_t emission;           /* of the mesh being read: model_face.emission */
     enum light_in_picture light; /* the same */
     size_t light_faces[LIGHTS_IN_PICTURES];
-    bool has_sky; /* one of the materials is it */
+    bool has_sky;                   /* one of the materials is it */
+    const struct mtl_material *own; /* what an OBJ file's libraries say of the mesh being read; NULL: nothing */
     unsigned uv_set;
     size_t picture_capacity, point_total;
-    const struct aiNode **movers; /* the nodes of model->movers */
-    uint16_t mover;               /* of the node being read: model_face.mover */
+    struct motions motions;
+    uint16_t mover; /* of the node being read: model_face.mover */
     struct vertex_numbers numbers;
     struct gltf_plain plain;
     struct node_transforms transforms;
@@ -75,20 +76,14 @@ static bool affine_mirrors(const struct node_transform *a)
            0;
 }
 
-static uint16_t mover_of(const struct import *import, const struct aiNode *node)
-{
-    for (size_t i = 0; i < import->model->mover_count; i++)
-        if (import->movers[i] == node) return (uint16_t)(i + 1);
-    return 0;
-}
-
-/* Parents first; a node's meshes in their order, then its children, which move with it. */
+/* Parents first; a node's meshes in their order, then its children, which move with it unless they move themselves. */
 static bool walk(struct import *import, const struct aiNode *node, struct node_transform parent, uint16_t mover,
                  mesh_reader *read)
 {
-    const struct node_transform own = node_transform_of(&import->transforms, node),
-                                here = node_transform_times(&parent, &own);
-    if (!mover) mover = mover_of(import, node);
+    const struct node_transform own = node_transform_of(&import->transforms, node);
+    const struct node_transform here = node_transform_times(&parent, &own);
+    const uint16_t own_mover = motions_mover_of(&import->motions, node);
+    if (own_mover) mover = own_mover;
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         import->transform = here;
         import->mover = mover;
@@ -140,13 +135,12 @@ static bool vertex_of(struct import *import, const struct aiVector3D *v, double 
 static void note_step(struct import *import, const double v[3])
 {
     const double(*m)[4] = (const double(*)[4])import->transform.m;
-    const bool is_double = import->numbers.table.count && !import->numbers.is_float32;
+    const bool is_double = import->numbers.table.count > 0 && !import->plain.is_float32;
     for (int axis = 0; axis < 3; axis++) {
         double step_m = 0;
         for (int i = 0; i < 3 && !is_double; i++)
             step_m += fabs(m[axis][i]) * float_step_at(fabs(v[i]));
-        if (!is_double && !node_transforms_are_double(&import->transforms) && m[axis][3] != 0)
-            step_m += float_step_at(fabs(m[axis][3]));
+        if (!is_double && !import->transforms.are_double && m[axis][3] != 0) step_m += float_step_at(fabs(m[axis][3]));
         import->step_m = fmax(import->step_m, step_m);
     }
 }
@@ -187,7 +181,7 @@ static uint32_t picture_number(struct import *import, const char *name, const ui
 {
     struct model *model = import->model;
     for (size_t i = 0; i < model->picture_count; i++)
-        if (strncmp(model->pictures[i].name, name, TEXTURE_NAME_B - 1) == 0 &&
+        if (strcmp(model->pictures[i].name, name) == 0 &&
             memcmp(model->pictures[i].wrap, wrap, sizeof model->pictures[i].wrap) == 0)
             return (uint32_t)i + 1;
     model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
@@ -215,9 +209,10 @@ static void take_mask(struct import *import)
     import->mask = 0;
 }
 
-static bool is_sky(const struct aiMaterial *material)
+static bool is_sky(const struct import *import, const struct aiMaterial *material)
 {
     struct aiString name;
+    if (import->own) return pictures_sky() && strcmp(import->own->name, pictures_sky()) == 0;
     return pictures_sky() && aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
            strcmp(name.data, pictures_sky()) == 0;
 }
@@ -326,11 +321,13 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
     import->picture = import->mask = import->holes = 0;
     import->emission = 0;
     import->light = LIGHT_NONE;
+    import->own = NULL;
     if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
     const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
+    import->own = obj_material(&import->numbers.obj, material);
     if (picture_of_colour(material, &use)) import->picture = picture_number(import, use.name.data, use.wrap);
     import->uv_set = use.uv_set;
-    if (import->picture && is_sky(material)) {
+    if (import->picture && is_sky(import, material)) {
         take_sky(import);
         return;
     }
@@ -344,6 +341,21 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
         import->holes = picture_transparency(&import->model->pictures[import->picture - 1]);
 }
 
+/* What a file says is no number is not missing. */
+static double said(double number)
+{
+    if (number > (PLACE_NONE + PLACE_NO_NUMBER) / 2) return NAN;
+    return isnan(number) || number > PLACE_NO_NUMBER / 2 ? (double)INFINITY : number;
+}
+
+/* The part of its picture that a material shows. */
+static void change_uv(const struct import *import, double uv[2])
+{
+    const struct mtl_map *map = import->own ? &import->own->maps[MTL_COLOUR] : NULL;
+    for (int i = 0; map && i < 2; i++)
+        uv[i] = uv[i] * map->scale[i] + map->offset[i];
+}
+
 /* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
 static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t first_point)
 {
@@ -355,8 +367,10 @@ static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t f
         import->uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[import->uv_set] : NULL;
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
         double *uv = model->uvs[first_point + i];
-        uv[0] = uvs ? uvs[i].x : NAN;
-        uv[1] = uvs ? 1.0 - uvs[i].y : NAN;
+        uv[0] = uvs ? said((double)uvs[i].x) : NAN;
+        uv[1] = uvs ? said((double)uvs[i].y) : NAN;
+        change_uv(import, uv);
+        uv[1] = 1.0 - uv[1];
     }
     return true;
 }
@@ -403,7 +417,10 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
         if (face->mNumIndices < 3) continue;
-        if (!add_face(import, face, first_point, model_face_colour(&import->paint, mesh, face)) ||
+        bool varies;
+        const uint32_t colour = model_face_colour(&import->paint, mesh, face, &varies);
+        import->model->faces_of_many_colours += varies;
+        if (!add_face(import, face, first_point, colour) ||
             !set_transparency(import, model_face_opacity(&import->paint, mesh, face)))
             return false;
     }
@@ -430,10 +447,11 @@ static bool read_scene(struct import *import)
     if (!root) return error_set(import->err, "%s: there is no scene in it", import->path);
     return node_transforms_read(import->path, import->plain.path ? &import->plain.file : NULL, import->scene,
                                 &import->transforms, import->err) &&
-           import_motions(import->path, import->scene, &import->transforms, import->model, &import->movers,
-                          &import->step_m, import->err) &&
+           motions_find(import->path, import->scene, &import->transforms, import->model, &import->motions,
+                        import->err) &&
            walk(import, root, affine_identity(), 0, count_mesh) && allocate(import) &&
-           walk(import, root, affine_identity(), 0, add_mesh);
+           walk(import, root, affine_identity(), 0, add_mesh) &&
+           motions_set_keys(&import->motions, &import->step_m, import->err);
 }
 
 /* The library drops such faces with no more than a line in its log. */
@@ -456,13 +474,14 @@ static bool refuse(const char *path, struct error *err)
 }
 
 /* library_path: NULL if the library is to take the file for what it is. */
-static const struct aiScene *import_file(const char *path, const char *library_path, const struct whole_file *file,
-                                         struct error *err)
+static const struct aiScene *import_file(const char *path, const char *library_path,
+                                         const struct vertex_numbers *numbers, struct error *err)
 {
     char dropped = false;
     struct aiLogStream log = {.callback = watch_log, .user = &dropped};
     const char *taken_for = library_path ? library_path : path;
-    const struct model_io_instead instead = {taken_for, file->bytes, file->size_b, library_path != NULL};
+    const struct model_io_instead instead = {taken_for, numbers->file.bytes, numbers->file.size_b, library_path != NULL,
+                                             &numbers->materials};
     struct aiFileIO io = model_io(&instead);
     struct aiPropertyStore *settings = aiCreatePropertyStore();
     /* Else a file without a mesh would get one made up from its skeleton. */
@@ -489,6 +508,18 @@ static bool import_level(const char *path, const struct level_path *level, struc
     return level_import(path, !pictures_are_left_out(), model, err);
 }
 
+/* What the library is to read of a glTF 2.0 file, and what vertices stand for there. */
+static bool take_plain(struct import *import)
+{
+    if (!gltf_plain_make(import->path, &import->plain, import->model, import->err)) return false;
+    if (!import->plain.path) return true;
+    import->numbers.file = import->plain.glb;
+    import->numbers.table = import->plain.table;
+    import->plain.glb = (struct whole_file){0};
+    import->plain.table = (struct vertex_table){0};
+    return true;
+}
+
 static void note_light(const struct import *import)
 {
     if (import->light_faces[LIGHT_DIMMED])
@@ -502,26 +533,35 @@ static void note_light(const struct import *import)
                    import->light_faces[LIGHT_LOST]);
 }
 
-bool import_model(const char *path, struct model *model, struct error *err)
+static void note_sky(struct model *model, bool has_sky)
 {
-    struct level_path level;
-    *model = (struct model){0};
-    if (level_path_parse(path, &level)) return import_level(path, &level, model, err);
-    if (!model_io_check(path, err) || !model_is_whole(path, err)) return false;
+    if (pictures_sky() && !pictures_are_left_out() && !has_sky)
+        model_note(model, "--sky: no material of that name has a picture");
+}
+
+static void take_unit(struct import *import)
+{
+    const double unit_m = model_unit_m(import->path, import->scene);
+    if (unit_m != 1) model_to_metres(import->model, unit_m);
+    float_step_note(import->model, import->step_m * unit_m);
+}
+
+static bool import_by_library(const char *path, struct model *model, struct error *err)
+{
+    if (!model_is_whole(path, err)) return false;
     struct import import = {.path = path, .model = model, .err = err};
     companions_begin(path);
-    if (!vertex_numbers_make(path, &import.numbers, err) ||
-        !gltf_plain_make(path, &import.plain, &import.numbers, model, err)) {
+    if (!vertex_numbers_make(path, &import.numbers, err) || !take_plain(&import)) {
         model_free(model);
         return false;
     }
-    import.scene = import_file(path, import.plain.path, &import.numbers.file, err);
+    import.scene = import_file(path, import.plain.path, &import.numbers, err);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
-    if (ok) float_step_note(model, import.step_m);
+    if (ok) take_unit(&import);
     if (ok) note_light(&import);
-    if (ok && pictures_sky() && !pictures_are_left_out() && !import.has_sky)
-        model_note(model, "--sky: no material of that name has a picture");
-    free(import.movers);
+    if (ok) note_sky(model, import.has_sky);
+    motions_free(&import.motions);
+    if (ok) obj_tell(&import.numbers.obj, model);
     masked_pictures_free(&import.masked);
     emissive_pictures_free(&import.emissive);
     node_transforms_free(&import.transforms);
@@ -530,4 +570,26 @@ bool import_model(const char *path, struct model *model, struct error *err)
     gltf_plain_free(&import.plain);
     if (!ok) model_free(model);
     return ok;
+}
+
+static bool import_own(const char *path, model_builder *read, struct model *model, struct error *err)
+{
+    const bool ok = model_build_from(path, read, model, err);
+    if (ok) note_sky(model, false);
+    return ok;
+}
+
+bool import_model(const char *path, struct model *model, struct error *err)
+{
+    struct level_path level;
+    *model = (struct model){0};
+    if (level_path_parse(path, &level)) return import_level(path, &level, model, err);
+    if (!model_io_check(path, err)) return false;
+    model_builder *const own = own_format_of(path);
+    if (!(own ? import_own(path, own, model, err) : import_by_library(path, model, err))) return false;
+    if (model->faces_of_many_colours)
+        model_note(model, "%zu faces have colours that change over them; each is drawn in their mean",
+                   model->faces_of_many_colours);
+    companions_tell(model);
+    return true;
 }

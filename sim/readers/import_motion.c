@@ -1,300 +1,93 @@
 /* SPDX-License-Identifier: MIT
  *
- * A node's own transform is translation, rotation and scale; keys replace the first two. Above it are parents, which
- * stand still, so the motion in the scene is that of the keys, moved and turned by them. Positions and orientations
- * have keys of their own in the file: a mover gets one at the time of either, and one at the end of the longest
- * animation, so that all repeat together. Of several animations a node takes its positions from the first that has
- * some, and its orientations likewise. */
+ * A mover is a node that an animation moves, with what is below it as far as nothing below moves by itself: that is a
+ * mover of its own, on whose way all above it have a part. What an animation keeps at one value moves nothing. */
 #include "readers/import_motion.h"
 
 #include "base/grow.h"
 #include "base/vec3.h"
-#include "model/pose.h"
-#include "readers/float_step.h"
+#include "formats/float_step.h"
+#include "readers/motion_assimp.h"
+#include "readers/motion_gltf.h"
+#include "readers/motion_keys.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double SHEAR_MAX = 1e-4; /* cosine between axes, and how uneven scales may be */
+/* Of a scale, in parts of it: as much as a key may be wrong in all, of a mover's size (motion_keys.c). */
+static const double SCALE_CHANGE_MAX = 1e-3;
 
 enum { LIMIT_MOVERS = 1024 };
 
-struct placement {
-    double axes[3][3]; /* columns: where the axes go */
-    double at[3];
-};
+static bool are_left_out;
 
-struct motions {
-    const char *path;
-    const struct aiScene *scene;
-    const struct node_transforms *transforms;
-    double *step_m;
-    struct model *model;
-    const struct aiNode **nodes;
-    size_t mover_capacity, key_capacity, node_capacity;
-    struct error *err;
-};
-
-static struct placement placement_of(const struct motions *work, const struct aiNode *node)
+void motions_leave_out(bool leave_out)
 {
-    const struct node_transform transform = node_transform_of(work->transforms, node);
-    struct placement out;
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            out.axes[k][i] = transform.m[i][k];
-        out.at[i] = transform.m[i][3];
+    are_left_out = leave_out;
+}
+
+bool motions_are_left_out(void)
+{
+    return are_left_out;
+}
+
+static bool refuse(const struct motions *work, const struct aiNode *node, const char *reason, struct error *err)
+{
+    return error_set(err, "%s: node '%s': %s", work->path, node->mName.data, reason);
+}
+
+/* Parts that stay at one value -------------------------------------------------------------- */
+
+static double most_of(const struct track *track, enum node_part part)
+{
+    double most = 0;
+    for (unsigned i = 0; i < track->width && part == PART_SCALE && track->count; i++)
+        most = fmax(most, SCALE_CHANGE_MAX * fabs(track_key(track, 0)[i]));
+    return most;
+}
+
+/* Whether the node, above all of it, does not stay where it is. */
+static bool moves(const struct node_motion *motion)
+{
+    return motion &&
+           (motion->tracks[PART_AT].count || motion->tracks[PART_TURN].count || motion->tracks[PART_SCALE].count);
+}
+
+/* A decimal that became a float32 is still the decimal. */
+static bool differs(const double own[4], const double kept[4], unsigned width)
+{
+    double apart = 0, most = 0;
+    for (unsigned i = 0; i < width; i++) {
+        apart = fmax(apart, fabs(kept[i] - own[i]));
+        most = fmax(most, fabs(kept[i]));
     }
-    return out;
+    return apart > 2e-7 * most;
 }
 
-static void placement_apply(const struct placement *placement, const double v[3], bool is_point, double out[3])
+/* Such tracks become the node's own parts. What is left of tracks changes. */
+static void settle(struct node_motion *motion, struct node_transforms *transforms)
 {
-    for (int i = 0; i < 3; i++)
-        out[i] = (is_point ? placement->at[i] : 0) + placement->axes[0][i] * v[0] + placement->axes[1][i] * v[1] +
-                 placement->axes[2][i] * v[2];
-}
-
-static struct placement placement_times(const struct placement *a, const struct placement *b)
-{
-    struct placement out;
-    for (int i = 0; i < 3; i++)
-        placement_apply(a, b->axes[i], false, out.axes[i]);
-    placement_apply(a, b->at, true, out.at);
-    return out;
-}
-
-/* Takes the scales out of the axes. false: what is left is no rotation. */
-static bool rotation_of(const struct placement *placement, double axes[3][3], double scales[3])
-{
-    for (int i = 0; i < 3; i++) {
-        scales[i] = sqrt(vec3_dot(placement->axes[i], placement->axes[i]));
-        if (!(scales[i] > 0)) return false;
-        for (int k = 0; k < 3; k++)
-            axes[i][k] = placement->axes[i][k] / scales[i];
-    }
-    double handed = 0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        if (fabs(vec3_dot(axes[i], axes[j])) > SHEAR_MAX) return false;
-        handed += axes[0][i] * (axes[1][j] * axes[2][k] - axes[1][k] * axes[2][j]);
-    }
-    return handed > 0;
-}
-
-static bool is_even(const double scales[3])
-{
-    return fabs(scales[0] - scales[1]) <= SHEAR_MAX * scales[0] && fabs(scales[0] - scales[2]) <= SHEAR_MAX * scales[0];
-}
-
-static struct model_pose pose_of(const struct placement *placement, double axes[3][3])
-{
-    struct model_pose pose;
-    memcpy(pose.at_m, placement->at, sizeof pose.at_m);
-    pose_turn_from_axes(pose.turn, axes);
-    return pose;
-}
-
-/* Keys --------------------------------------------------------------------------------------- */
-
-/* Where one kind of a node's keys is. */
-struct track {
-    const struct aiNodeAnim *anim;
-    double ticks_per_s;
-};
-
-/* What moves a node, of all animations, with the values that they leave open. */
-struct channel {
-    struct track position, turn;
-    bool has_keys, is_twice;
-    struct model_pose rest; /* of the node below its parents */
-};
-
-/* Between which keys a time lies: the part t of the way from key `from` to key `to`, which are one beyond the ends. */
-struct stretch {
-    unsigned from, to;
-    double t;
-};
-
-/* Keys of either kind begin with their time; they lie stride_b apart. */
-static double key_time(const void *keys, size_t stride_b, unsigned i)
-{
-    return *(const double *)((const char *)keys + i * stride_b);
-}
-
-static struct stretch stretch_at(const void *keys, size_t stride_b, unsigned count, double ticks)
-{
-    unsigned i = 0;
-    while (i + 1 < count && key_time(keys, stride_b, i + 1) <= ticks)
-        i++;
-    const double from = key_time(keys, stride_b, i);
-    const unsigned next = i + 1 < count && ticks > from ? i + 1 : i;
-    const double span = key_time(keys, stride_b, next) - from;
-    return (struct stretch){i, next, span > 0 ? (ticks - from) / span : 0};
-}
-
-static void position_at(const struct channel *channel, double time_s, double out[3])
-{
-    const struct track *track = &channel->position;
-    const struct aiVectorKey *keys = track->anim->mPositionKeys;
-    const unsigned count = track->anim->mNumPositionKeys;
-    memcpy(out, channel->rest.at_m, 3 * sizeof *out);
-    if (!count) return;
-    const struct stretch s = stretch_at(&keys->mTime, sizeof *keys, count, time_s * track->ticks_per_s);
-    const struct aiVector3D *a = &keys[s.from].mValue, *b = &keys[s.to].mValue;
-    out[0] = a->x + s.t * ((double)b->x - a->x);
-    out[1] = a->y + s.t * ((double)b->y - a->y);
-    out[2] = a->z + s.t * ((double)b->z - a->z);
-}
-
-static void turn_of(const struct aiQuaternion *q, double out[4])
-{
-    const double parts[4] = {q->x, q->y, q->z, q->w};
-    double length = 0;
-    for (int i = 0; i < 4; i++)
-        length = hypot(length, parts[i]);
-    for (int i = 0; i < 4; i++)
-        out[i] = length > 0 ? parts[i] / length : i == 3;
-}
-
-static void turn_at(const struct channel *channel, double time_s, double out[4])
-{
-    const struct track *track = &channel->turn;
-    const struct aiQuatKey *keys = track->anim->mRotationKeys;
-    const unsigned count = track->anim->mNumRotationKeys;
-    memcpy(out, channel->rest.turn, 4 * sizeof *out);
-    if (!count) return;
-    const struct stretch s = stretch_at(&keys->mTime, sizeof *keys, count, time_s * track->ticks_per_s);
-    double a[4], b[4];
-    turn_of(&keys[s.from].mValue, a);
-    turn_of(&keys[s.to].mValue, b);
-    pose_turn_between(a, b, s.t, out);
-}
-
-static int by_value(const void *a, const void *b)
-{
-    const double left = *(const double *)a, right = *(const double *)b;
-    return (left > right) - (left < right);
-}
-
-/* The times of a channel's keys, and the end of all; each once. */
-static size_t key_times(const struct channel *channel, double end_s, double *times_s)
-{
-    const struct track *position = &channel->position, *turn = &channel->turn;
-    size_t count = 0, kept = 1;
-    for (unsigned i = 0; i < position->anim->mNumPositionKeys; i++)
-        times_s[count++] = position->anim->mPositionKeys[i].mTime / position->ticks_per_s;
-    for (unsigned i = 0; i < turn->anim->mNumRotationKeys; i++)
-        times_s[count++] = turn->anim->mRotationKeys[i].mTime / turn->ticks_per_s;
-    times_s[count++] = end_s;
-    qsort(times_s, count, sizeof *times_s, by_value);
-    for (size_t i = 1; i < count; i++)
-        if (times_s[i] >= times_s[kept - 1] + 0.0005) times_s[kept++] = times_s[i]; /* tables count milliseconds */
-    return kept;
-}
-
-static void note_step(struct motions *work, const struct channel *channel, const struct placement *parent,
-                      const double at_m[3])
-{
-    if (!channel->position.anim->mNumPositionKeys) return;
-    for (int axis = 0; axis < 3; axis++) {
-        double step_m = 0;
-        for (int i = 0; i < 3; i++)
-            step_m += fabs(parent->axes[i][axis]) * float_step_at(fabs(at_m[i]));
-        *work->step_m = fmax(*work->step_m, step_m);
-    }
-}
-
-static bool add_keys(struct motions *work, const struct channel *channel, const struct placement *parent,
-                     const double parent_turn[3][3], double end_s, struct model_mover *mover)
-{
-    struct model *model = work->model;
-    const size_t most = channel->position.anim->mNumPositionKeys + (size_t)channel->turn.anim->mNumRotationKeys + 1;
-    double *times_s = grow_zeroed(most, sizeof *times_s);
-    const size_t count = key_times(channel, end_s, times_s);
-    bool ok = true;
-    mover->first_key = (uint32_t)model->key_count;
-    for (size_t i = 0; ok && i < count; i++) {
-        struct model_pose own;
-        double axes[3][3], turned[3][3];
-        position_at(channel, times_s[i], own.at_m);
-        note_step(work, channel, parent, own.at_m);
-        turn_at(channel, times_s[i], own.turn);
-        pose_axes(&own, axes);
-        for (int k = 0; k < 3; k++)
-            for (int m = 0; m < 3; m++)
-                turned[k][m] =
-                    parent_turn[0][m] * axes[k][0] + parent_turn[1][m] * axes[k][1] + parent_turn[2][m] * axes[k][2];
-        model->keys = grow(model->keys, model->key_count, &work->key_capacity, sizeof *model->keys);
-        struct model_key *key = &model->keys[model->key_count++];
-        key->time_s = times_s[i];
-        placement_apply(parent, own.at_m, true, key->pose.at_m);
-        pose_turn_from_axes(key->pose.turn, turned);
-        for (int k = 0; k < 3; k++)
-            ok = ok && isfinite(key->pose.at_m[k]);
-        ok = ok && isfinite(key->time_s) && key->time_s >= 0 && isfinite(key->pose.turn[0] + key->pose.turn[3]);
-    }
-    free(times_s);
-    mover->key_count = (uint32_t)count;
-    return ok ||
-           error_set(work->err, "%s: node '%s': its animation has a key that is no number", work->path, mover->name);
-}
-
-/* Nodes -------------------------------------------------------------------------------------- */
-
-static double ticks_per_s_of(const struct aiAnimation *animation)
-{
-    return animation->mTicksPerSecond > 0 ? animation->mTicksPerSecond : 25.0;
-}
-
-static bool moves(const struct aiNodeAnim *anim, const struct aiNode *node)
-{
-    return strcmp(anim->mNodeName.data, node->mName.data) == 0;
-}
-
-/* The first one that has keys to move between stays. The library makes up a key where a file has none, so one is as
- * good as none. true: both have. */
-static bool take(struct track *track, unsigned track_keys, const struct track *found, unsigned found_keys)
-{
-    if (!track->anim || (track_keys < 2 && found_keys > 1)) {
-        *track = *found;
-        return false;
-    }
-    return found_keys > 1;
-}
-
-static void take_keys(struct channel *channel, const struct track *found)
-{
-    const struct aiNodeAnim *anim = found->anim, *position = channel->position.anim, *turn = channel->turn.anim;
-    const bool moved_twice =
-        take(&channel->position, position ? position->mNumPositionKeys : 0, found, anim->mNumPositionKeys);
-    const bool turned_twice = take(&channel->turn, turn ? turn->mNumRotationKeys : 0, found, anim->mNumRotationKeys);
-    channel->is_twice |= moved_twice || turned_twice;
-    channel->has_keys |= anim->mNumPositionKeys > 1 || anim->mNumRotationKeys > 1 || anim->mNumScalingKeys > 1;
-}
-
-/* false: nothing names the node. */
-static bool find_channel(const struct aiScene *scene, const struct aiNode *node, struct channel *channel)
-{
-    *channel = (struct channel){.has_keys = false};
-    for (unsigned i = 0; i < scene->mNumAnimations; i++) {
-        const struct aiAnimation *animation = scene->mAnimations[i];
-        for (unsigned k = 0; k < animation->mNumChannels; k++) {
-            const struct track found = {animation->mChannels[k], ticks_per_s_of(animation)};
-            if (moves(found.anim, node)) take_keys(channel, &found);
+    bool is_set = false;
+    for (int part = 0; part < PART_COUNT; part++) {
+        struct track *track = &motion->tracks[part];
+        if (!track->count || track_changes(track, most_of(track, (enum node_part)part))) continue;
+        double kept[4] = {0};
+        track_at(track, 0, 0, kept);
+        if (differs(motion->own[part], kept, track->width)) {
+            memcpy(motion->own[part], kept, sizeof kept);
+            is_set = true;
         }
+        track_free(track);
     }
-    return channel->position.anim != NULL;
+    if (!is_set || motion->is_sheared) return;
+    struct node_motion still = *motion;
+    memset(still.tracks, 0, sizeof still.tracks);
+    const struct node_transform own = node_motion_at(&still, 0, 0);
+    node_transform_set(transforms, motion->node, &own);
 }
 
-/* Animations know nodes by name. Counts no farther than two. */
-static unsigned count_namesakes(const struct aiNode *node, const struct aiNode *of)
-{
-    unsigned count = strcmp(node->mName.data, of->mName.data) == 0;
-    for (unsigned i = 0; count < 2 && i < node->mNumChildren; i++)
-        count += count_namesakes(node->mChildren[i], of);
-    return count;
-}
+/* Movers ------------------------------------------------------------------------------------- */
 
 static bool has_mesh(const struct aiNode *node)
 {
@@ -304,109 +97,166 @@ static bool has_mesh(const struct aiNode *node)
     return has;
 }
 
-/* Keys of a scale that does not change, and is the node's own, say nothing. */
-static bool keeps_scale(const struct aiNodeAnim *anim, const double scales[3])
+/* Whether it moves a mesh that nothing below it moves by itself. */
+static bool has_own_mesh(const struct motions *work, const struct aiNode *node)
 {
-    for (unsigned i = 0; i < anim->mNumScalingKeys; i++) {
-        const struct aiVector3D *s = &anim->mScalingKeys[i].mValue;
-        if (!(fabs(s->x - scales[0]) <= 1e-3 * scales[0] && fabs(s->y - scales[1]) <= 1e-3 * scales[1] &&
-              fabs(s->z - scales[2]) <= 1e-3 * scales[2]))
-            return false;
+    bool has = node->mNumMeshes > 0;
+    for (unsigned i = 0; !has && i < node->mNumChildren; i++) {
+        const struct aiNode *child = node->mChildren[i];
+        has = !moves(node_motions_of(&work->nodes, child)) && has_own_mesh(work, child);
     }
-    return true;
+    return has;
 }
 
-static bool all_keep_scale(const struct aiScene *scene, const struct aiNode *node, const double scales[3])
+static bool keeps_scale(const struct motions *work, const struct node_motion *motion, struct error *err)
 {
-    for (unsigned i = 0; i < scene->mNumAnimations; i++) {
-        const struct aiAnimation *animation = scene->mAnimations[i];
-        for (unsigned k = 0; k < animation->mNumChannels; k++)
-            if (moves(animation->mChannels[k], node) && !keeps_scale(animation->mChannels[k], scales)) return false;
+    const struct track *track = &motion->tracks[PART_SCALE];
+    if (!track->count) return true;
+    const double *from = track_key(track, 0), *to = from;
+    double most = -1;
+    for (size_t key = 0; key < track->count; key++) {
+        const double apart = vec3_distance2(track_key(track, key), from);
+        if (apart > most) most = apart, to = track_key(track, key);
     }
-    return true;
+    return error_set(err,
+                     "%s: node '%s': its animation changes its scale, from %g %g %g to %g %g %g; --movers off draws it "
+                     "where the file has it, or apply the scale in the program that it was made with",
+                     work->path, motion->node->mName.data, from[0], from[1], from[2], to[0], to[1], to[2]);
 }
 
-/* Names a node of which something is left out, and why. */
-static void note(struct motions *work, const struct aiNode *node, const char *text)
+static bool check(const struct motions *work, const struct node_motion *motion, struct error *err)
 {
-    model_note(work->model, "node '%s'%s", node->mName.data, text);
+    if (!keeps_scale(work, motion, err)) return false;
+    return !motion->is_sheared || refuse(work, motion->node,
+                                         "its own transform shears it, and its animation cannot; apply the transform "
+                                         "in the program that it was made with, or --movers off",
+                                         err);
 }
 
-static bool refuse(struct motions *work, const struct aiNode *node, const char *reason)
-{
-    return error_set(work->err, "%s: node '%s': %s", work->path, node->mName.data, reason);
-}
-
-static bool add_mover(struct motions *work, const struct aiNode *node, const struct placement *parent,
-                      struct channel *channel, double end_s)
+static bool add_mover(struct motions *work, const struct aiNode *node, struct error *err)
 {
     struct model *model = work->model;
-    const struct placement own = placement_of(work, node), here = placement_times(parent, &own);
-    double parent_axes[3][3], own_axes[3][3], axes[3][3], scales[3], own_scales[3];
-    if (!rotation_of(parent, parent_axes, scales) || !is_even(scales))
-        return refuse(work, node, "it is animated, but its parents mirror or shear it");
-    if (!rotation_of(&own, own_axes, own_scales) || !rotation_of(&here, axes, scales))
-        return refuse(work, node, "it is animated, but mirrored or sheared");
-    if (!all_keep_scale(work->scene, node, own_scales))
-        return refuse(work, node, "its animation scales it; only rigid motion can be drawn");
-    if (channel->is_twice) note(work, node, ": several animations move it; the first one counts");
-    channel->rest = pose_of(&own, own_axes);
-    work->nodes = grow(work->nodes, model->mover_count, &work->node_capacity, sizeof *work->nodes);
-    work->nodes[model->mover_count] = node;
+    if (model->mover_count == LIMIT_MOVERS)
+        return error_set(err, "%s: more than %d animated nodes; --movers off draws them where the file has them",
+                         work->path, LIMIT_MOVERS);
+    work->movers = grow(work->movers, model->mover_count, &work->node_capacity, sizeof *work->movers);
+    work->movers[model->mover_count] = node;
     model->movers = grow(model->movers, model->mover_count, &work->mover_capacity, sizeof *model->movers);
     struct model_mover *mover = &model->movers[model->mover_count++];
-    *mover = (struct model_mover){.rest = pose_of(&here, axes)};
+    *mover = (struct model_mover){.node = node_transforms_number(work->transforms, node)};
     snprintf(mover->name, sizeof mover->name, "%.*s", MODEL_NAME_B - 1, node->mName.data);
-    return add_keys(work, channel, parent, (const double(*)[3])parent_axes, end_s, mover);
-}
-
-static bool walk(struct motions *work, const struct aiNode *node, const struct placement *parent,
-                 const struct aiNode *above, double end_s)
-{
-    const struct placement own = placement_of(work, node), here = placement_times(parent, &own);
-    struct channel channel;
-    const bool is_named = find_channel(work->scene, node, &channel);
-    if (channel.has_keys && count_namesakes(work->scene->mRootNode, node) > 1)
-        return refuse(work, node, "it is animated, but another node has the same name");
-    if (is_named && !has_mesh(node)) {
-        note(work, node, " stands still: it is animated, but has no mesh");
-    } else if (is_named && !channel.has_keys) {
-        note(work, node, " stands still: its animation has no keys to move between");
-    } else if (is_named) {
-        if (above) return refuse(work, node, "it is animated below a node that is animated too");
-        if (work->model->mover_count == LIMIT_MOVERS) return refuse(work, node, "more than 1024 animated nodes");
-        if (!add_mover(work, node, parent, &channel, end_s)) return false;
-        above = node;
-    }
-    for (unsigned i = 0; i < node->mNumChildren; i++)
-        if (!walk(work, node->mChildren[i], &here, above, end_s)) return false;
+    *map_at(&work->places, (uintptr_t)node, 0) = (uint32_t)model->mover_count;
     return true;
 }
 
-static double end_of(const struct aiScene *scene)
+static bool walk(struct motions *work, const struct aiNode *node, struct error *err)
 {
-    double end_s = 0;
-    for (unsigned i = 0; i < scene->mNumAnimations; i++) {
-        const struct aiAnimation *animation = scene->mAnimations[i];
-        const double ticks_per_s = ticks_per_s_of(animation);
-        for (unsigned k = 0; k < animation->mNumChannels; k++) {
-            const struct aiNodeAnim *anim = animation->mChannels[k];
-            if (anim->mNumPositionKeys)
-                end_s = fmax(end_s, anim->mPositionKeys[anim->mNumPositionKeys - 1].mTime / ticks_per_s);
-            if (anim->mNumRotationKeys)
-                end_s = fmax(end_s, anim->mRotationKeys[anim->mNumRotationKeys - 1].mTime / ticks_per_s);
-        }
+    const struct node_motion *motion = node_motions_of(&work->nodes, node);
+    if (moves(motion) && has_mesh(node)) {
+        if (!check(work, motion, err)) return false;
+        if (has_own_mesh(work, node) && !add_mover(work, node, err)) return false;
     }
-    return end_s;
+    for (unsigned i = 0; i < node->mNumChildren; i++)
+        if (!walk(work, node->mChildren[i], err)) return false;
+    return true;
 }
 
-bool import_motions(const char *path, const struct aiScene *scene, const struct node_transforms *transforms,
-                    struct model *model, const struct aiNode ***nodes, double *step_m, struct error *err)
+uint16_t motions_mover_of(const struct motions *motions, const struct aiNode *node)
 {
-    static const struct placement world = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-    struct motions work = {
-        .path = path, .scene = scene, .transforms = transforms, .model = model, .step_m = step_m, .err = err};
-    const bool ok = !scene->mNumAnimations || walk(&work, scene->mRootNode, &world, NULL, end_of(scene));
-    *nodes = work.nodes;
-    return ok;
+    const uint32_t *place = map_find(&motions->places, (uintptr_t)node);
+    return place ? (uint16_t)*place : 0;
+}
+
+/* What is told ------------------------------------------------------------------------------- */
+
+/* Nodes of a kind, and the first of them. */
+struct tally {
+    size_t count;
+    const char *first;
+};
+
+static void count(struct tally *tally, const struct node_motion *motion)
+{
+    if (!tally->count++) tally->first = motion->node->mName.data;
+}
+
+static void tell(struct model *model, const struct tally *tally, const char *one, const char *several)
+{
+    if (tally->count == 1) model_note(model, "node '%s' %s", tally->first, one);
+    if (tally->count > 1) model_note(model, "%zu nodes, '%s' the first, %s", tally->count, tally->first, several);
+}
+
+static void tell_channels(struct model *model, const struct node_motions *nodes)
+{
+    if (nodes->morph_weights)
+        model_note(model, "%zu %s: drawn with the weights that the file has at rest", nodes->morph_weights,
+                   nodes->morph_weights == 1 ? "animation of morph targets' weights is not run"
+                                             : "animations of morph targets' weights are not run");
+    if (nodes->other)
+        model_note(model, "%zu animation channel%s something else than a node's place: %s not run", nodes->other,
+                   nodes->other == 1 ? " changes" : "s change", nodes->other == 1 ? "it is" : "they are");
+}
+
+static bool has_keys(const struct node_motion *motion)
+{
+    return motion->tracks[PART_AT].count || motion->tracks[PART_TURN].count || motion->tracks[PART_SCALE].count;
+}
+
+/* Before settle(), which takes the tracks away that move nothing. */
+static void tell_nodes(struct motions *work)
+{
+    struct tally empty = {0}, bare = {0}, joints = {0}, twice = {0};
+    for (size_t i = 0; i < work->nodes.count; i++) {
+        const struct node_motion *motion = &work->nodes.items[i];
+        const bool shows = has_mesh(motion->node);
+        if (!has_keys(motion))
+            count(&empty, motion);
+        else if (motion->is_skin)
+            count(&joints, motion);
+        else if (!shows)
+            count(&bare, motion);
+        if (shows && motion->is_twice) count(&twice, motion);
+    }
+    tell(work->model, &empty, "stands still: its animation has no keys", "stand still: their animations have no keys");
+    tell(work->model, &joints, "is animated and moves a skin: that is drawn at rest",
+         "are animated and move skins: these are drawn at rest");
+    tell(work->model, &bare, "is animated, but has no mesh, nor anything below it: nothing moves",
+         "are animated, but have no mesh, nor anything below them: nothing moves");
+    tell(work->model, &twice, "is moved by several animations: the first one counts",
+         "are moved by several animations: the first one counts");
+    tell_channels(work->model, &work->nodes);
+}
+
+/* Reading ------------------------------------------------------------------------------------ */
+
+bool motions_find(const char *path, const struct aiScene *scene, struct node_transforms *transforms,
+                  struct model *model, struct motions *out, struct error *err)
+{
+    *out = (struct motions){.path = path, .transforms = transforms, .model = model};
+    if (are_left_out) {
+        model->is_stopped = scene->mNumAnimations > 0;
+        return true;
+    }
+    if (!(transforms->are_double ? motion_gltf_read(path, transforms, &out->nodes, err)
+                                 : motion_assimp_read(path, scene, transforms, &out->nodes, err)))
+        return false;
+    tell_nodes(out);
+    for (size_t i = 0; i < out->nodes.count; i++)
+        settle(&out->nodes.items[i], transforms);
+    return walk(out, scene->mRootNode, err);
+}
+
+bool motions_set_keys(struct motions *motions, double *step_m, struct error *err)
+{
+    const struct motion_keys from = {motions->path, motions->transforms, &motions->nodes, motions->model, step_m};
+    for (size_t i = 0; i < motions->model->mover_count; i++)
+        if (!motion_keys_set(&from, motions->movers[i], i, err)) return false;
+    return true;
+}
+
+void motions_free(struct motions *motions)
+{
+    node_motions_free(&motions->nodes);
+    map_free(&motions->places);
+    free(motions->movers);
 }

@@ -3,11 +3,14 @@
  * model_import(): the importer library runs in a child process with limits on time and memory,
  * because on damaged files it may crash or never come back. The child leaves the model in an
  * unnamed temporary file, which the parent reads once the child has ended well. */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "readers/model_import.h"
 
 #include "base/child.h"
 #include "base/ending.h"
+#include "base/names.h"
 #include "base/progress.h"
+#include "files/inputs.h"
 #include "levels/level_path.h"
 #include "readers/import.h"
 
@@ -15,6 +18,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -34,7 +38,7 @@ struct result {
     size_t point_count, corner_count, face_count, alpha_clamped, picture_count;
     bool has_uvs;
     double lattice_m;
-    bool is_interior;
+    bool is_interior, is_stopped;
     size_t mover_count, key_count;
     char notice[sizeof((struct model *)0)->notice];
     struct error err;
@@ -119,6 +123,7 @@ _Noreturn static void run_child(const char *path, rlim_t file_b, FILE *out)
     result.has_uvs = model.uvs != NULL;
     result.lattice_m = model.lattice_m;
     result.is_interior = model.is_interior;
+    result.is_stopped = model.is_stopped;
     result.mover_count = model.mover_count;
     result.key_count = model.key_count;
     memcpy(result.notice, model.notice, sizeof result.notice);
@@ -164,6 +169,7 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     model->alpha_clamped = result.alpha_clamped;
     model->lattice_m = result.lattice_m;
     model->is_interior = result.is_interior;
+    model->is_stopped = result.is_stopped;
     model->mover_count = result.mover_count;
     model->key_count = result.key_count;
     memcpy(model->notice, result.notice, sizeof model->notice);
@@ -179,7 +185,25 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     return error_set(err, "%s: not enough memory", path);
 }
 
-static bool wait_for_child(const char *path, pid_t child, rlim_t file_b, struct error *err)
+/* Which file the child opened last: what it crashes at may be another than the model. NULL: no memory for that. */
+static char *last_opened(void)
+{
+    static char *last;
+    if (!last) last = mmap(NULL, INPUTS_LAST_B, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (last == MAP_FAILED) last = NULL;
+    if (last) last[0] = '\0';
+    return last;
+}
+
+static bool has_failed(const char *path, const char *last, const char *how, struct error *err)
+{
+    if (!last || !last[0] || strcmp(last, path) == 0)
+        return error_set(err, "%s: the importer cannot read it (%s)", path, how);
+    return error_set(err, "%s: the importer cannot read it (%s); the last that it opened is %s", path, how,
+                     name_end(last).text);
+}
+
+static bool wait_for_child(const char *path, pid_t child, rlim_t file_b, const char *last, struct error *err)
 {
     int status = 0;
     if (!child_wait(child, "the importer was still reading", &status, err)) return error_prefix(err, path);
@@ -188,7 +212,7 @@ static bool wait_for_child(const char *path, pid_t child, rlim_t file_b, struct 
         return error_set(err, "%s: damaged, truncated or too much: the importer finds no end in it (%lu s)", path,
                          (unsigned long)cpu_limit_s(file_b));
     const char *how = WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "out of memory or disk space";
-    return error_set(err, "%s: the importer cannot read it (%s)", path, how);
+    return has_failed(path, last, how, err);
 }
 
 /* The child says what is wrong with a file. */
@@ -218,9 +242,11 @@ bool model_import(const char *path, struct model *model, struct error *err)
     FILE *exchange = tmpfile();
     if (!exchange) return error_set(err, "%s: no temporary file: %s", path, strerror(errno));
     progress("reading %s", path);
+    char *last = last_opened();
+    inputs_last_in(last);
     pid_t child = ending_fork();
     if (child == 0) run_child(path, size_b, exchange);
-    bool ok = child > 0 ? wait_for_child(path, child, size_b, err)
+    bool ok = child > 0 ? wait_for_child(path, child, size_b, last, err)
                         : error_set(err, "%s: no process for the importer: %s", path, strerror(errno));
     ok = ok && read_result(path, exchange, model, err);
     progress_end();

@@ -24,11 +24,10 @@
  * Opacity is MTL's `d` (or 1 - `Tr`); glTF's base colour's and vertex colours' alpha where alphaMode is BLEND, all or
  * nothing where it is MASK, and nothing where it is OPAQUE.
  *
- * Animations move nodes rigidly. Points are where the nodes' own transforms have them; all animations of the file run
- * at once. Keys are joined by straight lines and even turns, whatever the file says. Refused, by name: an animated node
- * that is scaled by its keys, mirrored or sheared, below another one that is animated, or not the only one of its name.
- * Notices: one without a mesh, or with fewer than two keys, stands still; of several animations that move, or turn, the
- * same node the first counts. */
+ * Animations move nodes rigidly (motion_keys.h). Points are where the nodes' own transforms have them, or what keys
+ * keep these at; all animations of the file run at once. Refused, by name: a scale that changes, what is sheared as it
+ * moves, and, but in glTF, a node that has not its name alone. Notices, one a kind: nodes without a mesh, joints of
+ * skins and morph targets are not moved; of several animations that move the same node the first counts. */
 bool model_import(const char *path, struct model *model, struct error *err);
 
 #endif

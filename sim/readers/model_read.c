@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/model_read.h"
 
+#include "files/whole_file.h"
 #include "levels/level_path.h"
 #include "model/flat_texture.h"
 #include "model/texture_wrap.h"
 #include "readers/model_import.h"
 #include "readers/source.h"
-#include "readers/whole_file.h"
 
 /* Which way up formats are, that assimp hands over as they are, but for those of 3ds Max. */
 static const struct {
     const char *suffix;
     enum up_custom custom;
 } CUSTOMS[] = {{".stl", CUSTOM_Z},        {".blend", CUSTOM_ALWAYS_Z}, {".cob", CUSTOM_ALWAYS_Z},
-               {".scn", CUSTOM_ALWAYS_Z}, {".3ds", CUSTOM_TURNED},     {".ase", CUSTOM_TURNED}};
+               {".scn", CUSTOM_ALWAYS_Z}, {".3mf", CUSTOM_ALWAYS_Z},   {".3ds", CUSTOM_TURNED},
+               {".ase", CUSTOM_TURNED}};
 
 static enum up_custom custom_of(const char *path)
 {
@@ -27,7 +28,8 @@ bool model_read(const char *path, const struct orientation *orientation, struct 
 {
     if (!model_import(path, model, err)) return false;
     orientation_apply(orientation, custom_of(path), model);
-    if (texture_wrap_cuts(model) && !source_read(path, model, err)) {
+    bool known;
+    if (texture_wrap_cuts(model) && !source_find(path, model, &known, err)) {
         model_free(model);
         return false;
     }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Whether a model file has all that it promises. The importer library makes up the rest of some that were cut short:
- * PLY and STL files, whose headers count what follows, are counted here. Others it refuses, or their end is where it
- * is: an OBJ file cut between two lines is a whole one. */
+ * Whether a model file has all that it promises. The importer library makes up the rest of an OBJ file that was cut
+ * within a line; cut between two lines it is a whole one. Of other formats the library finds out, or our own readers.
+ */
 #ifndef SIM_MODEL_WHOLE_H
 #define SIM_MODEL_WHOLE_H
 

@@ -37,14 +37,13 @@ struct node_transform node_transform_times(const struct node_transform *a, const
     return out;
 }
 
-/* The columns of a quaternion's rotation, x, y, z, w. */
-static void rotate(const double q[4], double m[3][4])
+void node_transform_rotate(const double turn[4], struct node_transform *out)
 {
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        m[i][i] = 1 - 2 * (q[j] * q[j] + q[k] * q[k]);
-        m[j][i] = 2 * (q[i] * q[j] + q[k] * q[3]);
-        m[k][i] = 2 * (q[i] * q[k] - q[j] * q[3]);
+        out->m[i][i] = 1 - 2 * (turn[j] * turn[j] + turn[k] * turn[k]);
+        out->m[j][i] = 2 * (turn[i] * turn[j] + turn[k] * turn[3]);
+        out->m[k][i] = 2 * (turn[i] * turn[k] - turn[j] * turn[3]);
     }
 }
 
@@ -57,7 +56,7 @@ struct node_transform node_transform_of_file(const json_t *node)
             out.m[i % 3][i / 3] = matrix[i / 3 * 4 + i % 3];
         return out;
     }
-    if (gltf_numbers(node, "rotation", 4, quaternion)) rotate(quaternion, out.m);
+    if (gltf_numbers(node, "rotation", 4, quaternion)) node_transform_rotate(quaternion, &out);
     gltf_numbers(node, "scale", 3, scale);
     gltf_numbers(node, "translation", 3, at);
     for (int row = 0; row < 3; row++) {
@@ -81,16 +80,16 @@ static bool agrees(const struct node_transform *a, const struct node_transform *
 
 static bool pair_all(struct pairing *work, struct aiNode *const *nodes, unsigned count, const json_t *indices);
 
-static bool pair(struct pairing *work, const struct aiNode *node, const json_t *own)
+static bool pair(struct pairing *work, const struct aiNode *node, const json_t *own, size_t number)
 {
-    struct node_transforms *out = work->out;
     const struct node_transform library = of_library(&node->mTransformation), file = node_transform_of_file(own);
     if (!agrees(&file, &library))
         return error_set(work->err, "%s: node '%s': its transform is beyond float32, or not a transform", work->path,
                          node->mName.data);
-    out->own = grow(out->own, out->count, &out->capacity, sizeof *out->own);
-    out->own[out->count++] = file;
-    *map_at(&out->places, (uintptr_t)node, 0) = (uint32_t)out->count;
+    node_transform_set(work->out, node, &file);
+    const uint32_t place = *map_find(&work->out->places, (uintptr_t)node);
+    *map_at(&work->out->file_nodes, number, 0) = place;
+    work->out->nodes[place - 1].number = (uint32_t)number + 1;
     return pair_all(work, node->mChildren, node->mNumChildren, json_object_get(own, "children"));
 }
 
@@ -104,7 +103,7 @@ static bool pair_all(struct pairing *work, struct aiNode *const *nodes, unsigned
                                 ? gltf_element(work->file, "nodes", (size_t)json_integer_value(index))
                                 : NULL;
         if (!own) return error_set(work->err, "%s: a node that it names is not in it", work->path);
-        if (!pair(work, nodes[i], own)) return false;
+        if (!pair(work, nodes[i], own, (size_t)json_integer_value(index))) return false;
     }
     return true;
 }
@@ -121,18 +120,45 @@ bool node_transforms_read(const char *path, const struct gltf_file *file, const 
 {
     struct pairing work = {path, file, out, err};
     *out = (struct node_transforms){0};
+    out->are_double = file != NULL;
     return !file || !scene->mRootNode || pair_tree(&work, scene->mRootNode);
 }
 
 struct node_transform node_transform_of(const struct node_transforms *transforms, const struct aiNode *node)
 {
     const uint32_t *place = map_find(&transforms->places, (uintptr_t)node);
-    return place ? transforms->own[*place - 1] : of_library(&node->mTransformation);
+    return place ? transforms->nodes[*place - 1].own : of_library(&node->mTransformation);
+}
+
+const struct aiNode *node_transforms_node(const struct node_transforms *transforms, size_t number)
+{
+    const uint32_t *place = map_find(&transforms->file_nodes, number);
+    return place ? transforms->nodes[*place - 1].node : NULL;
+}
+
+uint32_t node_transforms_number(const struct node_transforms *transforms, const struct aiNode *node)
+{
+    const uint32_t *place = map_find(&transforms->places, (uintptr_t)node);
+    return place ? transforms->nodes[*place - 1].number : 0;
+}
+
+void node_transform_set(struct node_transforms *transforms, const struct aiNode *node, const struct node_transform *own)
+{
+    uint32_t *place = map_at(&transforms->places, (uintptr_t)node, 0);
+    if (!*place) {
+        transforms->nodes =
+            grow(transforms->nodes, transforms->count, &transforms->capacity, sizeof *transforms->nodes);
+        transforms->nodes[transforms->count] = (struct placed_node){.number = 0};
+        *place = (uint32_t)++transforms->count;
+    }
+    transforms->nodes[*place - 1].node = node;
+    transforms->nodes[*place - 1].own = *own;
 }
 
 void node_transforms_free(struct node_transforms *transforms)
 {
-    free(transforms->own);
+    free(transforms->nodes);
     map_free(&transforms->places);
+    map_free(&transforms->file_nodes);
     *transforms = (struct node_transforms){0};
 }

@@ -3,8 +3,8 @@
 
 #include "base/grow.h"
 #include "base/vec3.h"
+#include "files/whole_file.h"
 #include "model/model_orientation.h"
-#include "readers/whole_file.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -35,6 +35,7 @@ void source_free(struct source *source)
 {
     free(source->counts);
     free(source->corners);
+    source_motion_free(&source->motion);
     *source = (struct source){0};
 }
 
@@ -58,10 +59,11 @@ static bool place_points(const char *path, struct source *source, const struct m
                          struct error *err)
 {
     double(*corner)[3] = source->corners;
-    if (source->face_count != model->face_count)
-        return error_set(err, "%s: the importer finds %zu faces in it, the reference's reader %zu", path,
-                         model->face_count, source->face_count);
-    for (size_t i = 0; i < model->face_count; i++) {
+    const size_t face_count = model->face_count - model->made_faces;
+    if (source->face_count != face_count)
+        return error_set(err, "%s: the importer finds %zu faces in it, the reference's reader %zu", path, face_count,
+                         source->face_count);
+    for (size_t i = 0; i < face_count; i++) {
         const struct model_face *face = &model->faces[i];
         if (source->counts[i] != face->count)
             return error_set(err, "%s: face %zu: the importer finds %u corners, the reference's reader %u", path, i + 1,
@@ -81,18 +83,23 @@ static bool place_points(const char *path, struct source *source, const struct m
     return true;
 }
 
-static void note_shared(struct model *model)
+static void take_motion(struct source *source, struct model *model)
 {
-    model_note(model, "the reference has the importer's vertices: it has no reader of its own for this file");
+    if (!source->motion.count || !model->mover_count) return;
+    model->source_motion = grow_zeroed(1, sizeof *model->source_motion);
+    *model->source_motion = source->motion;
+    source->motion = (struct source_motion){0};
 }
 
-bool source_read(const char *path, struct model *model, struct error *err)
+bool source_find(const char *path, struct model *model, bool *known, struct error *err)
 {
     struct source source = {0};
+    *known = !model->has_no_source;
     if (model->source_points || model->has_no_source) return true;
     const enum source_result result = read_any(path, &source, err);
     bool ok = result != SOURCE_BAD;
-    model->has_no_source = result == SOURCE_UNKNOWN;
+    *known = result != SOURCE_UNKNOWN;
+    model->has_no_source = !*known;
     if (result == SOURCE_READ) {
         double(*points)[3] = grow_zeroed(model->point_count, sizeof *points);
         memcpy(points, model->points, model->point_count * sizeof *points);
@@ -101,6 +108,7 @@ bool source_read(const char *path, struct model *model, struct error *err)
             model->source_points = points;
         else
             free(points);
+        if (ok) take_motion(&source, model);
     }
     source_free(&source);
     return ok;
@@ -108,8 +116,10 @@ bool source_read(const char *path, struct model *model, struct error *err)
 
 bool source_take(const char *path, struct model *model, struct error *err)
 {
-    if (!source_read(path, model, err)) return false;
-    if (model->has_no_source) note_shared(model);
+    bool known;
+    if (!source_find(path, model, &known, err)) return false;
+    if (!known)
+        model_note(model, "the reference has the importer's vertices: it has no reader of its own for this file");
     return true;
 }
 

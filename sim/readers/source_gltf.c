@@ -4,7 +4,8 @@
  * up through one node after the other, which is other arithmetic than the product of their matrices. */
 #include "readers/source.h"
 
-#include "readers/gltf_file.h"
+#include "gltf/gltf_file.h"
+#include "readers/source_gltf_motion.h"
 #include "readers/source_gltf_numbers.h"
 
 #include <math.h>
@@ -26,6 +27,7 @@ struct reading {
 /* A node below its parents. */
 struct place {
     const json_t *node;
+    const struct source_node *animated; /* NULL: nothing is known of it */
     const struct place *above;
     unsigned depth;
 };
@@ -59,27 +61,35 @@ static void turn(const double q[4], double v[3])
         v[i] += 2 * (q[3] * once[i] + twice[i]);
 }
 
+/* One of a node's own, or what its animation keeps that at. */
+static bool find_part(const struct place *place, const char *name, enum source_part part, size_t width, double *out)
+{
+    if (!place->animated || !place->animated->kept[part]) return gltf_numbers(place->node, name, width, out);
+    memcpy(out, place->animated->parts[part], width * sizeof *out);
+    return true;
+}
+
 /* Out of a node's coordinates; a direction stays where it is. */
-static void leave(const json_t *node, bool is_point, double v[3])
+static void leave(const struct place *place, bool is_point, double v[3])
 {
     double m[16], q[4], s[3], t[3];
-    if (gltf_numbers(node, "matrix", 16, m)) {
+    if (gltf_numbers(place->node, "matrix", 16, m)) {
         const double from[3] = {v[0], v[1], v[2]};
         for (int i = 0; i < 3; i++)
             v[i] = m[i] * from[0] + m[4 + i] * from[1] + m[8 + i] * from[2] + (is_point ? m[12 + i] : 0);
         return;
     }
-    for (int i = 0; i < 3 && gltf_numbers(node, "scale", 3, s); i++)
+    for (int i = 0; i < 3 && find_part(place, "scale", SOURCE_SCALE, 3, s); i++)
         v[i] *= s[i];
-    if (gltf_numbers(node, "rotation", 4, q)) turn(q, v);
-    for (int i = 0; i < 3 && is_point && gltf_numbers(node, "translation", 3, t); i++)
+    if (find_part(place, "rotation", SOURCE_TURN, 4, q)) turn(q, v);
+    for (int i = 0; i < 3 && is_point && find_part(place, "translation", SOURCE_AT, 3, t); i++)
         v[i] += t[i];
 }
 
 static void to_scene(struct source *source, const struct place *place, bool is_point, double v[3])
 {
     for (; place; place = place->above) {
-        leave(place->node, is_point, v);
+        leave(place, is_point, v);
         for (int i = 0; i < 3 && is_point; i++)
             source->reach_m = fmax(source->reach_m, fabs(v[i]));
     }
@@ -223,7 +233,10 @@ static bool add_nodes(struct reading *work, const json_t *indices, const struct 
     if (depth > DEEPEST) return fail(work, "its nodes are nested too deeply");
     json_array_foreach(indices, i, index)
     {
-        const struct place place = {gltf_element(work->file, "nodes", (size_t)json_integer_value(index)), above, depth};
+        const size_t number = (size_t)json_integer_value(index);
+        const struct source_motion *motion = &work->source->motion;
+        const struct place place = {gltf_element(work->file, "nodes", number),
+                                    number < motion->count ? &motion->nodes[number] : NULL, above, depth};
         if (!place.node) return fail(work, "a node that it names is not in it");
         if (gltf_index(place.node, "mesh", &mesh)) {
             const json_t *instances = instances_of(place.node);
@@ -244,8 +257,10 @@ enum source_result source_gltf_read(const char *path, struct source *source, str
         work.result = SOURCE_UNKNOWN;
     else if (!gltf_buffers_read(path, &file, &work.buffers, err))
         work.result = SOURCE_BAD;
-    else
+    else {
+        source_gltf_motion_read(&file, &work.buffers, &source->motion);
         add_nodes(&work, gltf_scene_nodes(&file), NULL);
+    }
     gltf_buffers_free(&work.buffers);
     gltf_file_free(&file);
     return work.result;

@@ -5,7 +5,7 @@
 #ifndef SIM_SOURCE_GLTF_NUMBERS_H
 #define SIM_SOURCE_GLTF_NUMBERS_H
 
-#include "readers/gltf_numbers.h"
+#include "gltf/gltf_numbers.h"
 
 struct source_numbers {
     double *values; /* count * width; owned */

@@ -4,7 +4,7 @@
 #include "readers/source.h"
 
 #include "base/grow.h"
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -85,26 +85,65 @@ static bool is_corners(const struct line *property)
     return strcmp(property->words[4], "vertex_index") == 0 || strcmp(property->words[4], "vertex_indices") == 0;
 }
 
-static void next_list(struct stream *stream, const struct line *property, bool is_face, const struct vertices *vertices,
-                      struct source *source)
+/* What an element is to the reader. */
+enum element_kind { OTHER_ELEMENT, VERTEX_ELEMENT, FACE_ELEMENT, STRIPS_ELEMENT };
+
+static enum element_kind kind_of(const struct line *element)
+{
+    const char *name = element->words[1];
+    return strcmp(name, "vertex") == 0      ? VERTEX_ELEMENT
+           : strcmp(name, "face") == 0      ? FACE_ELEMENT
+           : strcmp(name, "tristrips") == 0 ? STRIPS_ELEMENT
+                                            : OTHER_ELEMENT;
+}
+
+static void add_corner(struct stream *stream, double index, const struct vertices *vertices, struct source *source)
+{
+    stream->failed |= !(index >= 0 && index < (double)vertices->count);
+    if (!stream->failed) source_corner(source, vertices->at_m[(size_t)index]);
+}
+
+/* The last three indices of a strip; every other triangle runs the other way. */
+struct strip {
+    double corner[3];
+    size_t length;
+};
+
+static void next_of_strip(struct strip *strip, double index, struct stream *stream, const struct vertices *vertices,
+                          struct source *source)
+{
+    double *corner = strip->corner;
+    corner[0] = corner[1], corner[1] = corner[2], corner[2] = index;
+    strip->length = index == -1 ? 0 : strip->length + 1;
+    if (strip->length < 3 || corner[0] == corner[1] || corner[1] == corner[2] || corner[0] == corner[2]) return;
+    const bool other = strip->length % 2 == 0;
+    add_corner(stream, corner[other ? 1 : 0], vertices, source);
+    add_corner(stream, corner[other ? 0 : 1], vertices, source);
+    add_corner(stream, corner[2], vertices, source);
+    source_face(source);
+}
+
+static void next_list(struct stream *stream, const struct line *property, enum element_kind kind,
+                      const struct vertices *vertices, struct source *source)
 {
     const double length = next_number(stream, property->words[2]);
+    struct strip strip = {.length = 0};
     for (double i = 0; i < length && !stream->failed; i++) {
         const double index = next_number(stream, property->words[3]);
-        if (!is_face || !is_corners(property)) continue;
-        stream->failed |= !(index >= 0 && index < (double)vertices->count);
-        if (!stream->failed) source_corner(source, vertices->at_m[(size_t)index]);
+        if (!is_corners(property)) continue;
+        if (kind == FACE_ELEMENT) add_corner(stream, index, vertices, source);
+        if (kind == STRIPS_ELEMENT) next_of_strip(&strip, index, stream, vertices, source);
     }
 }
 
 static void next_instance(struct stream *stream, const struct line *element, size_t properties,
                           struct vertices *vertices, struct source *source)
 {
-    const bool is_vertex = strcmp(element->words[1], "vertex") == 0, is_face = strcmp(element->words[1], "face") == 0;
+    const enum element_kind kind = kind_of(element);
     double at_m[3] = {0};
     for (const struct line *property = element + 1; property <= element + properties; property++) {
         if (strcmp(property->words[1], "list") == 0) {
-            next_list(stream, property, is_face, vertices, source);
+            next_list(stream, property, kind, vertices, source);
             continue;
         }
         const double number = next_number(stream, property->words[1]);
@@ -112,7 +151,7 @@ static void next_instance(struct stream *stream, const struct line *element, siz
         if (name[0] >= 'x' && name[0] <= 'z' && !name[1]) at_m[name[0] - 'x'] = number;
     }
     source_face(source);
-    if (!is_vertex) return;
+    if (kind != VERTEX_ELEMENT) return;
     vertices->at_m = grow(vertices->at_m, vertices->count, &vertices->capacity, sizeof *vertices->at_m);
     memcpy(vertices->at_m[vertices->count++], at_m, sizeof at_m);
 }
@@ -154,7 +193,7 @@ static bool read_header(struct stream *stream, struct line *lines, size_t *count
                                                                              : LITTLE_ENDIAN_BYTES;
         }
         if (strcmp(line.words[0], "element") != 0 && strcmp(line.words[0], "property") != 0) continue;
-        if (*count == LEVELS || strcmp(line.words[1], "tristrips") == 0) return false;
+        if (*count == LEVELS) return false;
         lines[(*count)++] = line;
     }
     return false;

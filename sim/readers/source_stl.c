@@ -3,10 +3,11 @@
  * STL for the reference: float32 triangles behind a head, or words. */
 #include "readers/source.h"
 
-#include "readers/whole_file.h"
+#include "files/whole_file.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { HEAD_B = 84, FACET_B = 50, NORMAL_B = 12, CORNERS = 3 };
 
@@ -33,7 +34,7 @@ static void read_binary(const unsigned char *bytes, size_t facets, struct source
     }
 }
 
-/* Three numbers behind `vertex`; three of these are a facet. */
+/* Three numbers behind `vertex`. */
 static const char *read_vertex(const char *at, struct source *source)
 {
     double corner[3];
@@ -44,21 +45,24 @@ static const char *read_vertex(const char *at, struct source *source)
         at = rest;
     }
     source_corner(source, corner);
-    if (source->corner_count % CORNERS == 0) source_face(source);
     return at;
+}
+
+static bool is(const char *word, size_t length, const char *name)
+{
+    return length == strlen(name) && strncasecmp(word, name, length) == 0;
 }
 
 static bool read_text(const char *at, struct source *source)
 {
     static const char SPACE[] = " \t\r\n\f\v";
     while (at && *(at += strspn(at, SPACE))) {
+        const char *word = at;
         const size_t length = strcspn(at, SPACE);
-        if (length == 6 && memcmp(at, "vertex", 6) == 0)
-            at = read_vertex(at + length, source);
-        else if ((length == 5 && memcmp(at, "solid", 5) == 0) || (length == 8 && memcmp(at, "endsolid", 8) == 0))
-            at += strcspn(at, "\r\n");
-        else
-            at += length;
+        at += length;
+        if (is(word, length, "vertex")) at = read_vertex(at, source);
+        if (is(word, length, "endloop")) source_face(source);
+        if (is(word, length, "solid") || is(word, length, "endsolid")) at += strcspn(at, "\r\n");
     }
     return at != NULL;
 }
@@ -69,7 +73,8 @@ enum source_result source_stl_read(const char *path, struct source *source, stru
     if (!whole_file_read(path, &file, err)) return SOURCE_BAD;
     const unsigned char *bytes = (const unsigned char *)file.bytes;
     const size_t facets = file.size_b < HEAD_B ? 0 : little_endian(bytes + HEAD_B - 4);
-    const bool is_binary = file.size_b >= HEAD_B && file.size_b == HEAD_B + facets * FACET_B;
+    const bool has_room = file.size_b >= HEAD_B + facets * FACET_B && facets > 0;
+    const bool is_binary = has_room && (file.size_b == HEAD_B + facets * FACET_B || memchr(bytes, 0, HEAD_B));
     bool ok = true;
     if (is_binary)
         read_binary(bytes, facets, source);

@@ -3,6 +3,8 @@
  * The methods. */
 #include "scene/method.h"
 
+#include "base/choice.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -23,19 +25,20 @@ const struct method methods[] = {
 };
 const size_t method_count = sizeof methods / sizeof *methods;
 
-const struct method *method_parse(const char *text, struct error *err)
+static const char *name_at(const void *list, size_t index)
 {
-    char names[256];
-    size_t used = 0;
-    for (size_t i = 0; i < method_count; i++) {
-        if (strcmp(text, methods[i].name) == 0) return &methods[i];
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "", methods[i].name);
-    }
-    error_set(err, "--method %s: no such method; there are %s", text, names);
-    return NULL;
+    const struct method *of = list;
+    return index < method_count ? of[index].name : NULL;
 }
 
-static const struct method *first_of(enum lim_method draws)
+const struct method *method_parse(const char *text, struct error *err)
+{
+    size_t index;
+    return choice_find(&(struct choice){"--method", "method", name_at, methods}, text, &index, err) ? &methods[index]
+                                                                                                    : NULL;
+}
+
+const struct method *method_that(enum lim_method draws)
 {
     size_t i = 0;
 
@@ -44,20 +47,20 @@ static const struct method *first_of(enum lim_method draws)
     return &methods[i];
 }
 
-const struct method *method_of_scene(const struct lim_scene *scene)
+enum lim_method method_of_scene(const struct lim_scene *scene)
 {
-    if (!lim_scene_is_mesh(scene)) return !scene->limits.depth && scene->limits.pieces ? first_of(LIM_NEWELL) : NULL;
-    return first_of(*scene->near_deep_from < scene->polygon_count ? LIM_MESH_DEPTH : LIM_MESH);
+    if (lim_scene_is_mesh(scene)) return *scene->near_deep_from < scene->polygon_count ? LIM_MESH_DEPTH : LIM_MESH;
+    return !scene->limits.depth && scene->limits.pieces ? LIM_NEWELL : LIM_NEAREST_FIRST;
 }
 
 const char *method_name(enum lim_method draws)
 {
-    return first_of(draws)->name;
+    return method_that(draws)->name;
 }
 
 bool method_is_exact(enum lim_method draws)
 {
-    return first_of(draws)->exact;
+    return method_that(draws)->exact;
 }
 
 const char *method_title(enum lim_method draws)

@@ -17,7 +17,7 @@ enum tree_kind {
     TREE_KINDS
 };
 
-extern const char *const tree_names[TREE_KINDS];
+extern const char *const tree_names[TREE_KINDS + 1]; /* and NULL */
 
 /* By its name; an unknown one is refused with the list of those there are. */
 bool tree_kind_parse(const char *text, enum tree_kind *out, struct error *err);

@@ -4,6 +4,8 @@
  * that polygon out of the list: so every tree ends. */
 #include "trees/tree.h"
 
+#include "base/choice.h"
+
 #include "trees/axis_cut.h"
 #include "trees/cluster.h"
 #include "trees/cluster_cut.h"
@@ -19,20 +21,14 @@ enum { CLUSTER_PIECES_MAX = 4096, CELL_PIECES_MAX = 16 };
 /* Of longer lists no relation is found: half a byte for each pair. */
 enum { RINGS_PIECES_MAX = 16384 };
 
-const char *const tree_names[TREE_KINDS] = {"auto", "bsp", "clusters", "axis", "octree", "none", "mesh"};
+const char *const tree_names[TREE_KINDS + 1] = {"auto", "bsp", "clusters", "axis", "octree", "none", "mesh", NULL};
 
 bool tree_kind_parse(const char *text, enum tree_kind *out, struct error *err)
 {
-    char names[128];
-    size_t used = 0;
-    for (int kind = 0; kind < TREE_KINDS; kind++) {
-        if (strcmp(text, tree_names[kind]) == 0) {
-            *out = (enum tree_kind)kind;
-            return true;
-        }
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", kind ? ", " : "", tree_names[kind]);
-    }
-    return error_set(err, "--tree %s: no such tree; there are %s", text, names);
+    size_t index;
+    if (!choice_find(&(struct choice){"--tree", "tree", choice_in_array, tree_names}, text, &index, err)) return false;
+    *out = (enum tree_kind)index;
+    return true;
 }
 
 bool tree_ends(const struct bsp *bsp, enum tree_kind kind, struct rings *rings, const uint32_t *list, size_t count,

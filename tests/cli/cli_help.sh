@@ -50,9 +50,10 @@ base_of() { # COMMAND
     esac
 }
 
-answer() { # COMMAND OPTION [VALUE]: to that option, whatever it is called
+answer() { # COMMAND OPTION [VALUE]: to that option, whatever it, or one that is nearly called so, is called
     # shellcheck disable=SC2046 # words
-    (cd "$work/here" && "$limner" "$1" $(base_of "$1") "$2" ${3+"$3"} </dev/null 2>&1) | sed "s/$2/OPTION/g; q"
+    (cd "$work/here" && "$limner" "$1" $(base_of "$1") "$2" ${3+"$3"} </dev/null 2>&1) |
+        sed "s/$2/OPTION/g; s/, is it [^?]*?/;/; q"
 }
 
 # Both without and with a value an option that a command does not know is refused as one that no command knows.
@@ -103,6 +104,21 @@ names_the_unknown() {
     done
 }
 
+asks() { # PATTERN ARGUMENT...
+    asked=$1
+    shift
+    ! "$limner" "$@" >"$work/out" 2>"$work/said" && [ ! -s "$work/out" ] && [ "$(wc -l <"$work/said")" -eq 1 ] &&
+        grep -q "$asked" "$work/said"
+}
+asks_what_was_meant() {
+    asks "no command 'rendr', is it render?" rendr house.obj && asks "no command 'complie', is it compile?" complie &&
+        asks '^limner: --guf: no such option here, is it --gif?' render house.obj --guf x.gif &&
+        asks '^limner: --presicion: no such option here, is it --precision?' compile house.obj --presicion=fast &&
+        asks '^limner: --panel ST7798: no such panel, is it st7789?' render house.obj --panel ST7798 &&
+        asks '^limner: --tree bps: no such tree, is it bsp?' compile house.obj --tree bps
+}
+values_are_no_options() { asks '^limner: none.obj: ' render none.obj --overlay --guf --stats; }
+
 # The whole help has every option of every command.
 whole_has_all() {
     for command in $commands; do told <"$work/$command.help"; done | sort -u | grep -vx -e --family -e --chip >"$work/each"
@@ -126,5 +142,7 @@ done
 tap_check "--help may stand behind other arguments, and before -- alone" everywhere_in_a_line
 tap_check "help is told whichever way it is asked for" help_has_help
 tap_check "help on no command is refused" names_the_unknown
+tap_check "who mistypes a command, an option or a name is asked for the nearest" asks_what_was_meant
+tap_check "what is an option's value is not taken for an option" values_are_no_options
 tap_check "limner help has the options of all commands" whole_has_all
 tap_done

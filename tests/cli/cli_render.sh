@@ -235,7 +235,7 @@ tap_check "fewer colours do not" is_refused '^limner: hashes: frame 0 differs' \
     render pyramid.obj --camera path.cam --size 64x48 --panel st7789:rgb444 --check hashes
 
 prints_stats() {
-    render --stats >stats && grep -q '64x48 pixels, through the emulated st7789' stats &&
+    render --method nearest --stats >stats && grep -q '64x48 pixels, through the emulated st7789' stats &&
         [ "$(awk 'NR == 2 { print $1, $NF } NR > 2 { printf "%s ", $1 }' stats)" = "$(printf 'frame bus_b\n0 1 2 mean worst predicted in ')" ] &&
         awk '$1 == "frame" { for (i = 1; i <= NF; i++) column[$i] = i }
             $1 ~ /^[0-9]+$/ && ($(NF) < 64 * 48 * 2 || $column["overdraw"] != "1.000") { bad = 1 }
@@ -328,4 +328,15 @@ else
     tap_skip "view in a window shows the first frame" "built without SDL2"
 fi
 
+names_mean_what_they_say() {
+    "$limner" render pyramid.obj --frames 2 -o walk.gif && [ "$(head -c 4 walk.gif)" = GIF8 ] && [ ! -e out ] && rm walk.gif
+}
+tap_check "-o NAME.gif is an animation" names_mean_what_they_say
+refuse "a GIF is no PNG by its name" '^limner: --gif x\.png: it writes gif files; name it x\.gif$' render pyramid.obj --gif x.png
+refuse "a PNG is no JPEG by its name" "^limner: -o x\.jpg: it writes png files; name it x\.png$" render pyramid.obj -o x.jpg
+brief_tables() {
+    "$limner" render pyramid.obj --frames 9 --stats >all && "$limner" render pyramid.obj --frames 9 --stats --brief >some &&
+        sed '/^ *[0-9][0-9]* /d' all | diff - some && [ "$(wc -l <some)" -lt "$(wc -l <all)" ]
+}
+tap_check "--brief leaves out the frames' lines" brief_tables
 tap_done

@@ -14,7 +14,7 @@ build=$BUILD/coverage
 least_firmware=95 least_readers=90
 
 # What takes bytes of others' making, by name, so that a new file of these kinds is one without being named here.
-readers='import.*|model_io|model_colour|model_whole|number.*|vertex_.*|node_transforms|gltf.*|decimal|float_step|.*_file'
+readers='import.*|model_io|model_build|model_colour|model_unit|model_whole|number.*|own_formats|ply_.*|text|vertex_.*|node_transforms|gltf.*|decimal|float_step|.*_file'
 readers="$readers|source.*|companion|inputs|picture.*|wad|level.*|camera_path|wire_log|listener|qemu_trace|vcd|channels|spi_wires|capture|picture_ends|link_map|hashes|lim_.*"
 readers="$readers|binary|uf2|boot2|elf_segments|esp_image|report_text|bug_report|parse|arguments|options|measure_request|(camera|module|port)_choice"
 # Not these: they write.

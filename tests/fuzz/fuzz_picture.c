@@ -3,9 +3,9 @@
  * Any bytes as a picture, out of a model and from a file beside it: what is read is the same both ways, within its
  * bounds, and becomes a texture; what is not has a reason. The mutator seals PNG: the lengths of its chunks, their
  * checksums, and that of the pixels. */
+#include "files/companion.h"
+#include "files/picture.h"
 #include "fuzz.h"
-#include "readers/companion.h"
-#include "readers/picture.h"
 
 #include <stdlib.h>
 #include <string.h>

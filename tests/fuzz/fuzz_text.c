@@ -11,12 +11,12 @@
 #include "cli/uf2.h"
 #include "displays/port_choice.h"
 #include "export/boot2.h"
+#include "files/decimal.h"
 #include "fuzz_room.h"
 #include "fuzz_words.h"
 #include "measure/link_map.h"
 #include "measure/measure_request.h"
 #include "pictures/hashes.h"
-#include "readers/decimal.h"
 #include "scene/moving.h"
 #include "scene/scene_files.h"
 

@@ -332,9 +332,11 @@ static void senseless_coordinates_leave_a_flat_face(void **state)
     const double endless[4][2] = {{0, 1}, {INFINITY, 1}, {1, 0}, {0, 0}};
     const double huge[4][2] = {{0, 1}, {1e9, 1}, {1e9, 0}, {0, 0}};
     const double(*all[])[2] = {not_a_number, endless, huge};
+    const enum unmapped why[] = {UNMAPPED_MISSING, UNMAPPED_INFINITE, UNMAPPED_FAR};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         struct mesh mesh = cleaned(all[i]);
-        assert_int_equal(mesh.counts.unmapped, 1);
+        for (enum unmapped kind = 0; kind < UNMAPPED_KINDS; kind++)
+            assert_int_equal(mesh.counts.unmapped[kind], kind == why[i]);
         assert_int_equal(mesh.polygon_count, 1);
         assert_int_equal(mesh.polygons[0].mapping, 0);
         mesh_free(&mesh);

@@ -736,7 +736,7 @@ static void beyond_the_span_is_refused(void **state)
     boxes_add_solid(&world.model, low_m, high_m);
     move_faces(&world, first, &pose);
     assert_false(moving_compile_model(&world.model, &options, &movers, &scene, &moving, &err));
-    assert_string_equal(err.text, "node 'solid 1': it moves farther than twice the scene's size");
+    assert_string_equal(err.text, "node 'solid 1': it moves too far for coordinates of 32 bits; --movers off helps");
     moving_free(&moving);
     compiled_free(&scene);
 }

@@ -3,7 +3,7 @@
  * decimal_parse(): what is a number, and that it becomes the nearest double, by GMP's exact fractions. */
 #include "rigs/cmocka_ready.h"
 
-#include "readers/decimal.h"
+#include "files/decimal.h"
 #include "rigs/random.h"
 
 #include <gmp.h>

@@ -12,6 +12,16 @@
 
 static const double CENTRE_M[3] = {0, 0, 0}, HALF_M[3] = {1, 1, 1};
 
+static size_t most_face(const struct mesh *a, const struct mesh *b)
+{
+    size_t most = 0;
+    for (size_t i = 0; i < a->polygon_count; i++)
+        if (a->polygons[i].face > most) most = a->polygons[i].face;
+    for (size_t i = 0; i < b->polygon_count; i++)
+        if (b->polygons[i].face > most) most = b->polygons[i].face;
+    return most;
+}
+
 /* What a scene compiled from one mesh shows wrong in the eyes of another. */
 static double percent_wrong(const struct mesh *mesh, const struct mesh *truth, const uint32_t *groups)
 {
@@ -21,7 +31,8 @@ static double percent_wrong(const struct mesh *mesh, const struct mesh *truth, c
     struct predicted wrong = {.percent = NAN};
 
     assert_true(reference_init(&reference, truth, PREDICT_SIDE_PX, PREDICT_SIDE_PX, &err));
-    if (!predict_wrong(&scene, NULL, &reference, groups, &wrong, &err)) fail_msg("%s", err.text);
+    if (!predict_wrong(&scene, NULL, &reference, groups, most_face(mesh, truth), &wrong, &err))
+        fail_msg("%s", err.text);
     reference_free(&reference);
     compiled_free(&scene);
     assert_int_equal(wrong.cameras, PREDICT_CAMERAS);
