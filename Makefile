@@ -46,7 +46,7 @@ help: ## [care] list the goals
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
-packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev zlib1g-dev \
+packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev libmeshoptimizer-dev zlib1g-dev \
 	libgpiod-dev libhidapi-dev libarchive-dev lib3mf-dev
 packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base tidy freedoom python3
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
@@ -124,13 +124,13 @@ GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
 FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
 	-DLIM_GPIOD=$(GPIOD) -DSCREEN_STREAMS=1 \
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
-LINKS = $(shell pkg-config --libs $(LIBRARIES)) -l3MF -lgmp -lz -lm
+LINKS = $(shell pkg-config --libs $(LIBRARIES)) -l3MF -lmeshoptimizer -lgmp -lz -lm
 
 progress    = sh sim/tools/progress.sh
 progress_of = $(BUILD)/progress $(progress_count)
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
-rooms   := base core pictures model levels files formats readers scene trees cameras displays glass render accuracy compiler export measure page cli
+rooms   := base core pictures model levels files gltf formats readers scene trees cameras displays glass render accuracy compiler export measure page cli
 firmware_rooms := math view screen pixels lines movers touch pieces routes orders
 sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c) hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)

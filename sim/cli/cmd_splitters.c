@@ -84,7 +84,7 @@ static bool read_still(const char *path, const struct compile_options *options, 
     *numbers = NULL;
     if (!model_read(path, &options->orientation, &model, err)) return false;
     model_tell(path, &model);
-    if (!options->unlit) light_bake(&model);
+    (options->unlit ? light_none : light_bake)(&model);
     *movers = model.mover_count;
     *still = model;
     if (!*movers) return true;

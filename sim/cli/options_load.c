@@ -112,7 +112,7 @@ static void note_backs(const struct options *options, const struct moving *movin
 bool options_load(struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err)
 {
-    if (!camera_choice_read(&options->cameras, path, err)) return false;
+    if (!compile_options_cameras(&options->compile, &options->cameras, path, err)) return false;
     if ((path->count && !take_frames(options, path, err)) || !load_scene(options, path, scene, moving, err))
         return false;
     if (!options_scene_is_compiled(options)) options->setup.method = scene->report.draws;

@@ -212,7 +212,8 @@ static const struct usage_entry ENTRIES[] = {
      "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames); or\n"
      "                      random:SEED[:FRAMES], at random in the scene's free space (64 frames); or near:...,\n"
      "                      the same near the model's faces, small ones as often as large ones; or FILE.wad:MAP,\n"
-     "                      where a map's players and things stand (16 of them, of such a MODEL)\n"},
+     "                      where a map's players and things stand (16 of them, of such a MODEL); or a .gltf or .glb\n"
+     "                      file: its cameras\n"},
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | ONE,
      "  --fov DEG           vertical field of view (60; very wide pictures: what is 60 across)\n"},
     {RENDER | VIEW | REPORT_BUG,

@@ -5,7 +5,7 @@
 
 #include "base/choice.h"
 #include "base/parse.h"
-#include "cameras/camera_choice.h"
+#include "cameras/gltf_cameras.h"
 #include "core/core.h"
 #include "model/baked_light.h"
 #include "model/model.h"
@@ -54,12 +54,27 @@ bool portals_parse(const char *text, enum portals_wanted *out, struct error *err
     return error_set(err, "--portals %s: there are on, off and auto", text);
 }
 
+static const double USUAL_DEG = 60; /* of a picture whose size nobody has said */
+
+bool compile_options_cameras(const struct compile_options *options, const struct camera_choice *choice,
+                             struct camera_path *out, struct error *err)
+{
+    struct camera_choice here = *choice;
+    here.z_is_up = options->orientation.up == UP_Z;
+    here.fov_deg = options->fov_deg;
+    if (!(here.fov_deg > 0))
+        here.fov_deg = options->h_px ? lens_usual_fov_deg(options->w_px, options->h_px) : USUAL_DEG;
+    return camera_choice_read(&here, out, err);
+}
+
 /* What was read before is freed. */
 static bool parse_path(const char *text, struct compile_options *out, struct error *err)
 {
     struct camera_choice choice;
     if (!camera_choice_parse(text, &choice, err)) return false;
     if (choice.random_count) return error_set(err, "--path %s: a program's cameras are in a file, not at random", text);
+    if (gltf_cameras_are_named(text))
+        return error_set(err, "--path %s: a file of cameras, or a map; those of glTF are for --camera alone", text);
     choice.takes_times = true;
     camera_path_free(&out->path);
     return camera_choice_read(&choice, &out->path, err);
@@ -171,6 +186,5 @@ bool compile_options_coordinates(const struct compile_options *options, enum coo
 
 void compile_options_light(const struct compile_options *options, struct model *model)
 {
-    if (options->unlit) return;
-    (options->mono ? light_bake_mono : light_bake)(model);
+    (options->unlit ? light_none : options->mono ? light_bake_mono : light_bake)(model);
 }

@@ -5,7 +5,7 @@
 #define SIM_COMPILE_OPTIONS_H
 
 #include "base/error.h"
-#include "cameras/camera_path.h"
+#include "cameras/camera_choice.h"
 #include "model/model_orientation.h"
 #include "scene/method.h"
 #include "scene/tree_kind.h"
@@ -108,6 +108,10 @@ bool compile_options_may_leaf(const struct compile_options *options);
 /* The coordinates that a model's scene may have: what is not drawn by a method that walks a tree of all polygons cannot
  * be long (firmware/long.h), and has 16 bits. Refuses it where 32 were asked for. */
 bool compile_options_coordinates(const struct compile_options *options, enum coordinates *out, struct error *err);
+
+/* camera_choice_read(), of cameras for a model that is taken so. */
+bool compile_options_cameras(const struct compile_options *options, const struct camera_choice *choice,
+                             struct camera_path *out, struct error *err);
 
 /* Whether a scene may have 32 where it needs them. */
 bool compile_options_may_be_long(const struct compile_options *options);

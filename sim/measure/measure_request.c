@@ -340,7 +340,7 @@ bool measure_request_order(int argc, char **argv, int *words_from, struct error 
 bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,
                           struct camera_path *path, struct error *err)
 {
-    if (!camera_choice_read(&request->cameras, path, err)) return false;
+    if (!compile_options_cameras(&request->compile, &request->cameras, path, err)) return false;
     if (!measure_source_read(source, request->model, &request->compile, request->w_px, request->h_px, err))
         return false;
     return lens_for_grid(lens, request->compile.fov_deg, request->compile.near_m, &source->mesh.grid, request->w_px,

@@ -111,7 +111,7 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
     ok = ok && source_take(model_path, &model, err);
     if (ok) model_tell(model_path, &model);
     const bool moves = ok && model.mover_count > 0;
-    if (ok && !options->unlit) light_bake(&model);
+    if (ok) (options->unlit ? light_none : light_bake)(&model);
     if (ok && !moves)
         ok = (texture_budget_apply(&model, options, err) && read_mesh(source, &model, options, w_px, h_px, err)) ||
              error_prefix(err, model_path);

@@ -68,8 +68,8 @@ static bool refuse_nothing_left(const struct cleaning *cleaning, struct error *e
         return error_set(err, "every face is invisible: the opacity of all materials is 0");
     if (!counts->too_small) return error_set(err, "no face has an area: the corners of each are on one line");
     const size_t face = cleaning->first_too_small;
-    return error_set(err, "face %zu is %.3g m wide and a unit of the grid %.3g m: nothing would be left",
-                     cleaning->model->numbers ? (size_t)cleaning->model->numbers[face] : face + 1,
+    return error_set(err, "face %u is %.3g m wide and a unit of the grid %.3g m: nothing would be left",
+                     model_face_number(cleaning->model, face),
                      face_size_m(cleaning->model, &cleaning->model->faces[face]),
                      1.0 / cleaning->mesh->grid.units_per_m);
 }

@@ -24,6 +24,9 @@ struct sky_look {
 };
 enum { SKY_TIMES_MAX = 16 };
 
+/* What is seen beyond a picture's borders. */
+enum picture_wrap { PICTURE_REPEATS, PICTURE_MIRRORS, PICTURE_CLAMPS };
+
 /* A picture as it was found, or why it was not. */
 struct picture {
     char name[PICTURE_NAME_B];    /* as the model names it */
@@ -34,6 +37,7 @@ struct picture {
     uint8_t *alpha;      /* of each pixel, 255 is opaque; NULL: of no use any more, or all are; owned */
     bool is_masked;      /* some pixels are clear */
     struct sky_look sky; /* how it is seen around the eye; times is 0: it is not */
+    uint8_t wrap[2];     /* enum picture_wrap, across and down: texture_wrap.h makes all of them repeat */
     bool left_out;       /* by the user's wish: there are no pixels, and that is no error */
     bool has_alpha;      /* not all of it is opaque, as it was found */
     size_t faces;        /* that show it */

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "files/words.h"
-#include "readers/vertex_table.h"
+#include "gltf/vertex_table.h"
 
 #include <stddef.h>
 

@@ -94,11 +94,12 @@ static void take_motion(struct source *source, struct model *model)
 bool source_find(const char *path, struct model *model, bool *known, struct error *err)
 {
     struct source source = {0};
-    *known = true;
-    if (model->source_points) return true;
+    *known = !model->has_no_source;
+    if (model->source_points || model->has_no_source) return true;
     const enum source_result result = read_any(path, &source, err);
     bool ok = result != SOURCE_BAD;
     *known = result != SOURCE_UNKNOWN;
+    model->has_no_source = !*known;
     if (result == SOURCE_READ) {
         double(*points)[3] = grow_zeroed(model->point_count, sizeof *points);
         memcpy(points, model->points, model->point_count * sizeof *points);

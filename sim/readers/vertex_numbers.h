@@ -10,8 +10,8 @@
 #define SIM_VERTEX_NUMBERS_H
 
 #include "files/whole_file.h"
+#include "gltf/vertex_table.h"
 #include "readers/obj.h"
-#include "readers/vertex_table.h"
 
 /* A file as the library is to read it. */
 struct vertex_numbers {

@@ -5,7 +5,7 @@
 #include "model/model.h"
 #include "readers/model_import.h"
 #include "readers/source.h"
-#include "readers/vertex_table.h"
+#include "gltf/vertex_table.h"
 #include "rigs/cmocka_ready.h"
 
 #include <math.h>

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a glTF 2.0 file's accessors say, as doubles, for the reference's reader. */
+ * What a glTF 2.0 file's accessors say, as doubles, for the importer. The reference has a reader of its own
+ * (source_gltf_numbers.h). */
 #ifndef SIM_GLTF_NUMBERS_H
 #define SIM_GLTF_NUMBERS_H
 
-#include "readers/gltf_file.h"
+#include "gltf/gltf_file.h"
 
 struct gltf_buffer {
     const char *bytes;
@@ -13,8 +14,8 @@ struct gltf_buffer {
 };
 
 struct gltf_buffers {
-    struct gltf_buffer *items;
-    size_t count;
+    struct gltf_buffer *items; /* the file's, then those that were decompressed */
+    size_t count, capacity;
 };
 
 struct gltf_array {
@@ -22,8 +23,14 @@ struct gltf_array {
     size_t count;
 };
 
-/* Inside the file, beside it, or written into it as base64. */
+/* A list without an accessor's bytes may be all zeros: no longer than that. */
+enum { GLTF_ARRAY_MOST = 1 << 23 };
+
+/* Inside the file, beside it, or written into it as base64. Views that are compressed are decompressed, and the file's
+ * JSON says where they are then. */
 bool gltf_buffers_read(const char *path, const struct gltf_file *file, struct gltf_buffers *out, struct error *err);
+/* Takes the buffer, and returns its index. */
+size_t gltf_buffers_add(struct gltf_buffers *buffers, const struct gltf_buffer *buffer);
 void gltf_buffers_free(struct gltf_buffers *buffers);
 
 /* An accessor of so many components, sparse or normalised ones too. false: it, or what it leads to, is not there. */

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * Numbers in buffers are little-endian. */
-#include "readers/gltf_numbers.h"
+#include "gltf/gltf_numbers.h"
 
 #include "base/grow.h"
 #include "files/companion.h"
+#include "gltf/gltf_meshopt.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -42,9 +43,9 @@ static bool read_buffer(const struct gltf_file *file, size_t index, struct gltf_
     struct whole_file whole;
     const char *uri = json_string_value(json_object_get(gltf_element(file, "buffers", index), "uri"));
     const char *base64 = uri && strncmp(uri, "data:", 5) == 0 ? strstr(uri, ";base64,") : NULL;
-    *out = (struct gltf_buffer){.bytes = file->binary, .size_b = file->binary_b};
-    if (!uri) return true;
     *out = (struct gltf_buffer){0};
+    if (!uri && index == 0) *out = (struct gltf_buffer){.bytes = file->binary, .size_b = file->binary_b};
+    if (!uri) return true; /* another one without a name is there for readers that cannot decompress */
     if (base64) {
         decode_base64(base64 + strlen(";base64,"), out);
         return true;
@@ -54,14 +55,61 @@ static bool read_buffer(const struct gltf_file *file, size_t index, struct gltf_
     return true;
 }
 
+/* Why a buffer cannot be read may say no more than which it is; that it may not be read, when its name was looked at
+ * once more, is the better reason. */
+static bool name_model(const char *path, struct error *err)
+{
+    companions_refused(err);
+    return strncmp(err->text, path, strlen(path)) != 0 && error_prefix(err, path);
+}
+
+size_t gltf_buffers_add(struct gltf_buffers *buffers, const struct gltf_buffer *buffer)
+{
+    buffers->items = grow(buffers->items, buffers->count, &buffers->capacity, sizeof *buffers->items);
+    buffers->items[buffers->count] = *buffer;
+    return buffers->count++;
+}
+
+/* A view that is packed, into a buffer of its own. */
+static bool unpack_view(json_t *view, struct gltf_buffers *buffers, struct error *err)
+{
+    size_t buffer;
+    struct gltf_buffer unpacked = {0};
+    const struct gltf_buffer *from =
+        gltf_meshopt_buffer(view, &buffer) && buffer < buffers->count ? &buffers->items[buffer] : &unpacked;
+    if (!gltf_meshopt_unpack(view, from->bytes, from->size_b, &unpacked.owned, &unpacked.size_b, err)) return false;
+    unpacked.bytes = unpacked.owned;
+    gltf_meshopt_mend(view, gltf_buffers_add(buffers, &unpacked));
+    return true;
+}
+
+static bool unpack_views(const char *path, const struct gltf_file *file, struct gltf_buffers *buffers,
+                         struct error *err)
+{
+    size_t i;
+    json_t *view;
+    json_array_foreach(json_object_get(file->root, "bufferViews"), i, view)
+    {
+        char what[64];
+        if (!gltf_meshopt_is_packed(view) || unpack_view(view, buffers, err)) continue;
+        snprintf(what, sizeof what, "view %zu of its buffers", i);
+        error_prefix(err, what);
+        return error_prefix(err, path);
+    }
+    return true;
+}
+
 bool gltf_buffers_read(const char *path, const struct gltf_file *file, struct gltf_buffers *out, struct error *err)
 {
     const size_t count = json_array_size(json_object_get(file->root, "buffers"));
     companions_begin(path);
-    *out = (struct gltf_buffers){grow_zeroed(count, sizeof *out->items), 0};
-    for (; out->count < count; out->count++)
-        if (!read_buffer(file, out->count, &out->items[out->count], err)) return false;
-    return true;
+    *out = (struct gltf_buffers){.count = 0};
+    for (size_t i = 0; i < count; i++) {
+        struct gltf_buffer buffer;
+        if (!read_buffer(file, i, &buffer, err)) return name_model(path, err);
+        gltf_buffers_add(out, &buffer);
+    }
+    return unpack_views(path, file, out, err);
 }
 
 void gltf_buffers_free(struct gltf_buffers *buffers)
@@ -129,52 +177,57 @@ static bool window_of(const struct gltf_file *file, const struct gltf_buffers *b
     return true;
 }
 
-static bool copy_values(const struct window *window, size_t component, bool normalised, size_t components,
+static bool window_holds(const struct window *window, size_t element_b, size_t count)
+{
+    return count == 0 || (window->size_b >= element_b && count - 1 <= (window->size_b - element_b) / window->stride_b);
+}
+
+static void copy_values(const struct window *window, size_t component, bool normalised, size_t components,
                         struct gltf_array *out)
 {
-    const size_t element_b = components * size_of(component);
-    if (out->count &&
-        (window->size_b < element_b || (out->count - 1) > (window->size_b - element_b) / window->stride_b))
-        return false;
     for (size_t i = 0; i < out->count; i++)
         for (size_t k = 0; k < components; k++)
             out->values[i * components + k] =
                 number_at(window->bytes + i * window->stride_b + k * size_of(component), component, normalised);
-    return true;
 }
 
-/* Those of a sparse accessor, in place of what the values were. */
-static bool put_sparse(const struct gltf_file *file, const struct gltf_buffers *buffers, const json_t *sparse,
-                       size_t component, bool normalised, size_t components, struct gltf_array *out)
+/* Which values a sparse accessor replaces, and by what. */
+struct changes {
+    struct window places, values;
+    size_t place_kind, count;
+};
+
+static bool changes_of(const struct gltf_file *file, const struct gltf_buffers *buffers, const json_t *sparse,
+                       size_t element_b, struct changes *out)
 {
     const json_t *indices = json_object_get(sparse, "indices"), *values = json_object_get(sparse, "values");
-    struct window index_window, value_window;
-    struct gltf_array places = {0}, numbers = {0};
-    size_t kind, count;
-    if (!gltf_index(sparse, "count", &count) || count > out->count || !gltf_index(indices, "componentType", &kind) ||
-        !size_of(kind))
+    if (!gltf_index(sparse, "count", &out->count) || !gltf_index(indices, "componentType", &out->place_kind))
         return false;
-    places = (struct gltf_array){grow_zeroed(count, sizeof(double)), count};
-    numbers = (struct gltf_array){grow_zeroed(count * components, sizeof(double)), count};
-    bool ok = window_of(file, buffers, indices, size_of(kind), &index_window) &&
-              window_of(file, buffers, values, components * size_of(component), &value_window) &&
-              copy_values(&index_window, kind, false, 1, &places) &&
-              copy_values(&value_window, component, normalised, components, &numbers);
-    for (size_t i = 0; ok && i < count; i++) {
-        ok = places.values[i] >= 0 && places.values[i] < (double)out->count;
-        if (ok)
-            memcpy(&out->values[(size_t)places.values[i] * components], &numbers.values[i * components],
-                   components * sizeof(double));
+    const size_t place_b = size_of(out->place_kind);
+    return place_b && window_of(file, buffers, indices, place_b, &out->places) &&
+           window_of(file, buffers, values, element_b, &out->values) &&
+           window_holds(&out->places, place_b, out->count) && window_holds(&out->values, element_b, out->count);
+}
+
+/* false: one of the places is not among the values. */
+static bool apply(const struct changes *changes, size_t component, bool normalised, size_t components,
+                  struct gltf_array *out)
+{
+    for (size_t i = 0; i < changes->count; i++) {
+        const double place =
+            number_at(changes->places.bytes + i * changes->places.stride_b, changes->place_kind, false);
+        const char *from = changes->values.bytes + i * changes->values.stride_b;
+        if (!(place >= 0 && place < (double)out->count)) return false;
+        for (size_t k = 0; k < components; k++)
+            out->values[(size_t)place * components + k] =
+                number_at(from + k * size_of(component), component, normalised);
     }
-    free(places.values);
-    free(numbers.values);
-    return ok;
+    return true;
 }
 
 bool gltf_array_read(const struct gltf_file *file, const struct gltf_buffers *buffers, size_t accessor,
                      size_t components, struct gltf_array *out)
 {
-    enum { MOST = 1 << 26 };
     static const char *const types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
     const json_t *own = gltf_element(file, "accessors", accessor), *sparse = json_object_get(own, "sparse");
     const char *type = json_string_value(json_object_get(own, "type"));
@@ -184,12 +237,15 @@ bool gltf_array_read(const struct gltf_file *file, const struct gltf_buffers *bu
     *out = (struct gltf_array){0};
     if (!type || components > 4 || strcmp(type, types[components]) != 0) return false;
     if (!gltf_index(own, "componentType", &component) || !size_of(component)) return false;
-    if (!gltf_index(own, "count", &out->count) || out->count > MOST) return false;
+    if (!gltf_index(own, "count", &out->count) || out->count > GLTF_ARRAY_MOST) return false;
+    const size_t element_b = components * size_of(component);
+    const bool has_view = json_object_get(own, "bufferView");
+    if (has_view &&
+        (!window_of(file, buffers, own, element_b, &window) || !window_holds(&window, element_b, out->count)))
+        return false;
     out->values = grow_zeroed(out->count * components, sizeof(double));
-    bool ok = true;
-    if (json_object_get(own, "bufferView"))
-        ok = window_of(file, buffers, own, components * size_of(component), &window) &&
-             copy_values(&window, component, normalised, components, out);
-    if (ok && sparse) ok = put_sparse(file, buffers, sparse, component, normalised, components, out);
-    return ok;
+    if (has_view) copy_values(&window, component, normalised, components, out);
+    struct changes changes;
+    return !sparse || (changes_of(file, buffers, sparse, element_b, &changes) &&
+                       apply(&changes, component, normalised, components, out));
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A glTF 2.0 file's JSON, and the buffer that a .glb has behind it. */
+ * A glTF 2.0 file's JSON, and the buffer that a .glb has behind it: at a multiple of four bytes, as the format has it,
+ * or straight behind the JSON, as some programs write it. */
 #ifndef SIM_GLTF_FILE_H
 #define SIM_GLTF_FILE_H
 

@@ -2,7 +2,7 @@
  *
  * Vertex n, from 1, goes as its upper bits, its lower 13 bits and a check of both, which is never 0: what a library
  * makes up, or computes with, is found out. */
-#include "readers/vertex_table.h"
+#include "gltf/vertex_table.h"
 
 #include "base/grow.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "readers/gltf_file.h"
+#include "gltf/gltf_file.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -34,8 +34,10 @@ static void find_parts(struct gltf_file *out, const char **text, size_t *text_b)
     *text_b = file->size_b;
     if (file->size_b < HEAD_B || word_at(file->bytes) != MAGIC) return;
     if (!chunk_at(file, HEAD_B, JSON_CHUNK, text, text_b)) return;
-    const size_t behind = HEAD_B + CHUNK_HEAD_B + ((*text_b + 3) & ~(size_t)3);
-    if (!chunk_at(file, behind, BINARY_CHUNK, &out->binary, &out->binary_b)) out->binary = NULL;
+    const size_t behind = HEAD_B + CHUNK_HEAD_B + *text_b, aligned = (behind + 3) & ~(size_t)3;
+    if (!chunk_at(file, aligned, BINARY_CHUNK, &out->binary, &out->binary_b) &&
+        !chunk_at(file, behind, BINARY_CHUNK, &out->binary, &out->binary_b))
+        out->binary = NULL;
 }
 
 bool gltf_file_read(const char *path, struct gltf_file *out, struct error *err)
