@@ -6,12 +6,15 @@
 #include "base/input_file.h"
 #include "base/parse.h"
 #include "cameras/camera_choice.h"
-#include "cli/esp_image.h"
 #include "cli/options.h"
-#include "cli/uf2.h"
 #include "displays/port_choice.h"
 #include "export/boot2.h"
+<<<<<<< HEAD
 #include "files/decimal.h"
+=======
+#include "export/esp_image.h"
+#include "export/uf2.h"
+>>>>>>> 2267bcdc (sim/portals: a room of its own; images of boot loaders go to sim/export, tests of choices to tests/choices)
 #include "fuzz_room.h"
 #include "fuzz_words.h"
 #include "measure/link_map.h"
