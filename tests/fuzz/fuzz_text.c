@@ -9,12 +9,9 @@
 #include "cli/options.h"
 #include "displays/port_choice.h"
 #include "export/boot2.h"
-<<<<<<< HEAD
-#include "files/decimal.h"
-=======
 #include "export/esp_image.h"
 #include "export/uf2.h"
->>>>>>> 2267bcdc (sim/portals: a room of its own; images of boot loaders go to sim/export, tests of choices to tests/choices)
+#include "files/decimal.h"
 #include "fuzz_room.h"
 #include "fuzz_words.h"
 #include "measure/link_map.h"
