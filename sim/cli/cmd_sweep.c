@@ -6,8 +6,8 @@
 #include "base/grow.h"
 #include "base/outputs.h"
 #include "cli/commands.h"
-#include "cli/sweep_results.h"
 #include "measure/measure_request.h"
+#include "measure/sweep_results.h"
 
 #include <errno.h>
 #include <stdio.h>
