@@ -22,7 +22,7 @@ CCACHE := $(shell sh sim/tools/compiler_cache.sh)
 endif
 
 # All of them, but for programs that are slow and seldom find anything: those are the suite `slow`.
-ALL_SUITES := host arm cpus boards export cross compilers sanitize models format kernel foreign
+ALL_SUITES := host arm cpus boards export cross compilers sanitize models brought format kernel foreign
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -421,7 +421,7 @@ tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
 tests/foreign.sh: tests-kernel $(kernel_programs) $(BUILD)/tests/foreign/card
 
-unknown := $(filter-out $(ALL_SUITES) brought slow prove arm64 fixed features sub-bits levels extremes soak,$(suites))
+unknown := $(filter-out $(ALL_SUITES) slow prove arm64 fixed features sub-bits levels extremes soak,$(suites))
 $(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits levels extremes))
 
 # By itself it draws all frames, in all suites a part of them.
