@@ -2,7 +2,7 @@
  *
  * Files that a command reads: regular ones, whose size is known and bounded before memory is asked for, and lines of
  * bounded length. What is opened is looked at, not its name: pipes, devices and folders neither hang nor go on forever.
- */
+ * What is opened is noted (inputs.h). */
 #ifndef SIM_INPUT_FILE_H
 #define SIM_INPUT_FILE_H
 

@@ -7,6 +7,7 @@
 
 #include "base/ending.h"
 #include "base/grow.h"
+#include "base/inputs.h"
 #include "base/written.h"
 
 #include <errno.h>
@@ -36,11 +37,6 @@ struct output_path {
     struct leftover *leftover;
 };
 
-struct spared_file {
-    dev_t device;
-    ino_t number;
-};
-
 /* Where the file is to be: links in the place of the file are followed to their end, as fopen() does. */
 struct place {
     char path[PATH_SIZE_B];
@@ -56,7 +52,6 @@ static void outputs_free(struct outputs *outputs)
         free(outputs->paths[i].part);
     }
     free(outputs->paths);
-    free(outputs->spared);
     *outputs = (struct outputs){0};
 }
 
@@ -170,26 +165,22 @@ static bool is_taken(const struct outputs *outputs, const char *path)
     return false;
 }
 
-/* Spared ------------------------------------------------------------------------------------- */
+/* Read ---------------------------------------------------------------------------------------- */
 
-bool outputs_spare(struct outputs *outputs, const char *path, struct error *err)
+static const char THE_SAME[] = "the same command reads it";
+
+static bool is_read(const char *path)
 {
     struct stat status;
-    if (!path || stat(path, &status) != 0 || !S_ISREG(status.st_mode)) return true;
-    struct spared_file *spared = realloc(outputs->spared, (outputs->spared_count + 1) * sizeof *spared);
-    if (!spared) return error_set(err, "%s: out of memory", path);
-    outputs->spared = spared;
-    spared[outputs->spared_count++] = (struct spared_file){status.st_dev, status.st_ino};
-    return true;
+    return stat(path, &status) == 0 && inputs_have(&status);
 }
 
-static bool is_spared(const struct outputs *outputs, const char *path)
+bool outputs_check(const struct outputs *outputs, struct error *err)
 {
-    struct stat status;
-    if (stat(path, &status) != 0) return false;
-    for (size_t i = 0; i < outputs->spared_count; i++)
-        if (outputs->spared[i].device == status.st_dev && outputs->spared[i].number == status.st_ino) return true;
-    return false;
+    for (size_t i = 0; i < outputs->count; i++)
+        if (outputs->paths[i].part && is_read(outputs->paths[i].path))
+            return error_set(err, "%s: cannot be written: %s", outputs->paths[i].path, THE_SAME);
+    return true;
 }
 
 /* Files -------------------------------------------------------------------------------------- */
@@ -246,7 +237,7 @@ FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err)
     const bool is_folder = found && (S_ISDIR(place.mode) || (folder_b && !place.path[folder_b]));
     if (found && place.exists && access(place.path, W_OK) != 0) reason = strerror(errno);
     if (is_folder) reason = "it is a folder";
-    if (found && is_spared(outputs, place.path)) reason = "the same command reads it";
+    if (found && is_read(place.path)) reason = THE_SAME;
     if (!path[0]) {
         error_set(err, "%s: a file name is empty", path);
         return NULL;
@@ -324,7 +315,7 @@ bool outputs_keep(struct outputs *outputs, struct error *err)
     char text[WRITTEN_B];
     ending_hold();
     const int lock = lock_folder(outputs);
-    const bool ok = rename_all(outputs, err);
+    const bool ok = outputs_check(outputs, err) && rename_all(outputs, err);
     if (lock >= 0) close(lock);
     files_text(outputs, text);
     if (ok)

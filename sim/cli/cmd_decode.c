@@ -97,9 +97,7 @@ static bool start(struct decode *decode, struct error *err)
     if (is_input) decode->path = "standard input";
     decode->lines.path = decode->path;
     decode->lines.line_most_b = LINE_MOST_B;
-    return (is_input || outputs_spare(&decode->outputs, decode->path, err)) &&
-           outputs_spare(&decode->outputs, decode->map_path, err) &&
-           hash_list_open(&decode->hashes, &decode->outputs, err);
+    return hash_list_open(&decode->hashes, &decode->outputs, err);
 }
 
 /* Frames ------------------------------------------------------------------------------------- */

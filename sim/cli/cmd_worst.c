@@ -153,7 +153,7 @@ static bool open_cameras(struct worst *worst, FILE **file, char path[PATH_MAX_B]
 {
     *file = NULL;
     if (!worst->request.folder) return true;
-    if (!level_path_spare(&worst->outputs, worst->request.model, err)) return false;
+    level_path_note(worst->request.model);
     *file = open_output(worst, ".cam", path, err);
     return *file != NULL;
 }
