@@ -343,6 +343,7 @@ $(addprefix $(BUILD)/tests/,$(faked)): $(call object,tests/fakes/fake_gpiod_v1.c
 $(addprefix $(BUILD)/tests/,$(faked)): test_links := $(foreach name,$(fake_calls),-Xlinker --wrap=$(name))
 tests/cli/cli_gpiod.sh: $(BUILD)/tests/test_linux_port
 $(BUILD)/tests/test_hid_port: test_links := -Xlinker --wrap=calloc
+$(BUILD)/tests/test_output_sets: test_links := $(foreach name,link rename unlink,-Xlinker --wrap=$(name))
 
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
 tests/cli/cli_extremes.sh: $(extremes) $(BUILD)/limner

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The files that a command writes: all of them or none. Each is written beside its place as NAME.RANDOM.part, and
- * takes its place when the command has succeeded; folders are made as needed. A signal that ends the process removes
- * what is not in its place yet (ending.h). A file has the permissions that fopen() would give or leave it; a link in
- * its place stays, and the file that it names is written. */
+ * The files that a command writes: all of them or none. Each is written beside its place as NAME.WORD-NUMBER.part,
+ * and takes its place when the command has succeeded; folders are made as needed. A signal that ends the process
+ * removes what is not in its place yet (ending.h). A file has the permissions that fopen() would give or leave it; a
+ * link in its place stays, and the file that it names is written. */
 #ifndef SIM_OUTPUTS_H
 #define SIM_OUTPUTS_H
 
@@ -13,10 +13,12 @@
 #include <stdio.h>
 
 struct output_path; /* of a file or folder */
+struct output_run;
 
 struct outputs {
     struct output_path *paths; /* in the order of their making */
     size_t count;
+    struct output_run *run; /* NULL: nothing is begun */
 };
 
 /* Begins a file, its folders included; NULL on error. Devices and pipes are opened as they are. A

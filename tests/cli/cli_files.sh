@@ -309,6 +309,28 @@ for signal in TERM INT; do
         --core m0plus --size 64x48 -o scene
 done
 
+# Nothing can be done at SIGKILL: the next run in that place does it.
+cleans_up_after_a_killed_run() {
+    rm -rf ../running && mkdir ../running && cd ../running || return 1
+    "$limner" render ../rooms.obj --size 64x48 --camera ../long.cam -o 'a/b/%06d.png' --gif a/x.gif --ids x.ids 2>/dev/null &
+    pid=$!
+    wait_for there_is '000100.png.*.part' && kill -9 $pid
+    wait $pid 2>/dev/null
+    there_is '*.part' || { echo "nothing was left" && return 1; }
+    echo mine >a/b/mine.part && small --gif a/y.gif || return 1
+    find . -name '*.part' -o -name '.limner*'
+    [ "$(find . -type f | sort | tr '\n' ' ')" = "./a/b/mine.part ./a/y.gif " ] && cd ../here && rm -r ../running
+}
+tap_check "the next run cleans up after a killed one" cleans_up_after_a_killed_run
+
+leaves_what_a_run_writes() {
+    waits_with_a_file 5 both &
+    wait_for there_is 'both*.part' && small --write-hashes other && there_is 'both*.part' || return 1
+    wait $!
+    [ "$(ls -A)" = other ] && rm other
+}
+tap_check "it leaves what a running one writes" leaves_what_a_run_writes
+
 is_ignored_by_nohup() {
     rm -rf ../running
     mkdir ../running
