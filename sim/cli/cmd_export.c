@@ -3,6 +3,7 @@
  * limner export MODEL... --for WORLD -o FOLDER: a folder that a toolchain takes as it is: the renderer, cut to what the
  * scenes require, the scenes, a display's driver, an example. It takes what `limner compile` takes, and what describes
  * a display. */
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "cli/compile_request.h"
 #include "displays/idle_port.h"
@@ -75,7 +76,7 @@ static bool name_all(struct export_request *out, struct error *err)
         return error_set(err, "%s: the path is too long", out->folder);
     if (!c_name_init(&out->name, out->path, err)) return false;
     if (strcmp(out->name.symbol, name.file) != 0)
-        fprintf(stderr, "limner: %s: is called %s in the folder's files\n", name.file, out->name.symbol);
+        printable_print(stderr, "limner: %s: is called %s in the folder's files\n", name.file, out->name.symbol);
     return true;
 }
 
@@ -167,7 +168,7 @@ static bool name_files(const struct export_request *request, struct compile_resu
         char path[2 * C_PATH_MAX_B];
         if (!c_name_init(&name, result->names[i], err)) return false;
         if (strcmp(name.symbol, name.file) != 0)
-            fprintf(stderr, "limner: %s: is called %s in the folder's files\n", name.file, name.symbol);
+            printable_print(stderr, "limner: %s: is called %s in the folder's files\n", name.file, name.symbol);
         if (snprintf(path, sizeof path, "%s/%s%s", request->folder, request->world->source, name.symbol) >=
             C_PATH_MAX_B)
             return error_set(err, "%s: the path is too long", request->folder);

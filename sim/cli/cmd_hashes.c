@@ -5,6 +5,7 @@
  * error. */
 #include "base/inputs.h"
 #include "base/parse.h"
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "pictures/enlarged.h"
 #include "pictures/hash_list.h"
@@ -23,7 +24,7 @@ static bool add_picture(struct hash_list *list, const char *path, int side, stru
     const bool ok = enlarged_hash(image, side, path, &hash, err);
     gdImageDestroy(image);
     if (!ok) return false;
-    printf("frame %zu: hash %016" PRIx64 " of %s\n", list->count, hash, path);
+    printable_print(stdout, "frame %zu: hash %016" PRIx64 " of %s\n", list->count, hash, path);
     hash_list_add(list, hash);
     return true;
 }

@@ -3,6 +3,7 @@
  * `limner report-bug`: copies what render would read into a folder, runs it there, and packs the folder: so a report
  * that is written is one that can be run again. */
 #include "base/inputs.h"
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/report_file.h"
@@ -249,16 +250,16 @@ static bool pack_cameras(struct packing *packing, struct error *err)
 static void print_contents(const struct packing *packing)
 {
     const struct report *report = packing->report;
-    printf("%s: %s%s\n", packing->report_path,
-           report->outcome == REPORT_DRAWN     ? "all frames are drawn"
-           : report->outcome == REPORT_REFUSED ? "render says: "
-                                               : "render ends by ",
-           report->reason);
+    printable_print(stdout, "%s: %s%s\n", packing->report_path,
+                    report->outcome == REPORT_DRAWN     ? "all frames are drawn"
+                    : report->outcome == REPORT_REFUSED ? "render says: "
+                                                        : "render ends by ",
+                    report->reason);
     printf(
         "It holds versions, options and these files, and no names of folders, users or machines but those in them:\n");
     for (size_t i = 0; i < report->file_count; i++)
-        printf("%10lu bytes  %s\n", (unsigned long)report->files[i].size_b, report->files[i].name);
-    printf("`tar -tf` lists it, `limner replay %s` runs it again.\n", packing->report_path);
+        printable_print(stdout, "%10lu bytes  %s\n", (unsigned long)report->files[i].size_b, report->files[i].name);
+    printable_print(stdout, "`tar -tf` lists it, `limner replay %s` runs it again.\n", packing->report_path);
 }
 
 static bool pack(struct packing *packing, struct error *err)

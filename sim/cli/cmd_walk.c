@@ -5,6 +5,7 @@
 #include "base/arguments.h"
 #include "base/outputs.h"
 #include "base/parse.h"
+#include "base/printable.h"
 #include "cameras/walk_path.h"
 #include "cli/commands.h"
 #include "compiler/compile.h"
@@ -177,9 +178,10 @@ static bool write_path(struct walking *walking, struct error *err)
     const struct walk_body *body = &walking->wish.body;
     FILE *file = outputs_open(&walking->outputs, walking->out_path, err);
     if (!file) return false;
-    fprintf(file, "# A walk through %s: %zu frames of %g m; an eye at %g m, %g m high, %g m wide, steps of %g m.\n",
-            walking->model, walking->path.count, walking->wish.stride_m, body->eye_m, body->height_m,
-            2 * body->radius_m, body->step_m);
+    printable_print(file,
+                    "# A walk through %s: %zu frames of %g m; an eye at %g m, %g m high, %g m wide, steps of %g m.\n",
+                    walking->model, walking->path.count, walking->wish.stride_m, body->eye_m, body->height_m,
+                    2 * body->radius_m, body->step_m);
     for (size_t i = 0; i < walking->path.count; i++)
         viewpoint_write(&walking->path.frames[i], file);
     return outputs_close(file, walking->out_path, err);
@@ -188,9 +190,10 @@ static bool write_path(struct walking *walking, struct error *err)
 static void print_found(const struct walking *walking)
 {
     const struct walk_found *found = &walking->found;
-    printf("%s: %zu frames, %.0f m; of %zu places half a metre apart that can be reached %zu are seen, %.0f %%\n",
-           walking->model, walking->path.count, found->way_m, found->places, found->seen,
-           100.0 * (double)found->seen / (double)found->places);
+    printable_print(
+        stdout, "%s: %zu frames, %.0f m; of %zu places half a metre apart that can be reached %zu are seen, %.0f %%\n",
+        walking->model, walking->path.count, found->way_m, found->places, found->seen,
+        100.0 * (double)found->seen / (double)found->places);
 }
 
 int cmd_walk(int argc, char **argv)
