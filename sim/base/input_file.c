@@ -82,6 +82,12 @@ void input_close_stream(FILE *file)
     if (file && file != stdin) fclose(file);
 }
 
+bool input_is_regular(FILE *file)
+{
+    struct stat about;
+    return fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode);
+}
+
 /* Lines -------------------------------------------------------------------------------------- */
 
 static bool put(struct input_lines *lines, int byte, struct error *err)

@@ -20,6 +20,9 @@ FILE *input_open(const char *path, size_t most_b, size_t *size_b, struct error *
 FILE *input_open_stream(const char *path, struct error *err);
 void input_close_stream(FILE *file);
 
+/* Whether its end is there already: no pipe, and no terminal. */
+bool input_is_regular(FILE *file);
+
 struct input_lines {
     FILE *file;
     const char *path;   /* for errors */
