@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * model_import(): the importer library runs in a child process with limits on time and memory,
- * because on damaged files it may crash or never come back. The child leaves the model in an
- * unnamed temporary file, which the parent reads once the child has ended well, and the names of what it has opened in
- * another one, which is read however it has ended. */
+ * which can do nothing but read (confine.h), because on damaged files it may crash or never come back, or worse. The
+ * child leaves the model in an unnamed temporary file, which the parent reads once the child has ended well, and the
+ * names of what it has opened in another one, which is read however it has ended. */
 #include "readers/model_import.h"
 
 #include "base/child.h"
@@ -12,6 +12,7 @@
 #include "base/names.h"
 #include "base/progress.h"
 #include "levels/level_path.h"
+#include "readers/confine.h"
 #include "readers/import.h"
 
 #include <errno.h>
@@ -114,6 +115,7 @@ _Noreturn static void run_child(const char *path, rlim_t file_b, FILE *read, FIL
     limit_child(file_b);
     inputs_send_to(fileno(read));
     if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(EXIT_FAILURE);
+    confine_to_reading();
     result.ok = import_model(path, &model, &result.err);
     result.point_count = model.point_count;
     result.corner_count = model.corner_count;
