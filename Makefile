@@ -351,7 +351,7 @@ tests/cli/cli_bench.sh: $(BUILD)/generate_bench
 tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
 tests/sub_bits.sh: $(BUILD)/limner $(addprefix $(BUILD)/tests/,test_convex test_scanline test_target_errors)
 
-suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh tests/formats/*.sh tests/choices/cli_*.sh)
+suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh tests/files/cli_*.sh tests/formats/*.sh tests/choices/cli_*.sh)
 suite-arm       := $(wildcard tests/arm/arm_*.sh)
 suite-fixed     := $(BUILD)/tests/test_fixed tests/arm/arm_fixed.sh
 suite-cpus      := $(wildcard tests/cpus/cpus_*.sh)
@@ -501,8 +501,8 @@ $(BUILD)/tests/fuzz_seeds: $(call object,tests/fuzz/libfuzzer/seeds.c) $(fuzz_ob
 
 # -- Mutants: see tests/mutants/README.md -------------------------------------------------------------------------------
 
-mutate: test-programs $(demo) packages ## [test] break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/view/clip.c, or MUTANT=NUMBER: one
-	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' sh tests/mutants.sh
+mutate: $(if $(TESTS),$(TESTS:%=$(BUILD)/tests/%),test-programs) $(demo) packages ## [test] break the code on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/view/clip.c TESTS=test_clip, or MUTANT=NUMBER: one
+	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' TESTS='$(TESTS)' sh tests/mutants.sh
 
 models-table: $(BUILD)/limner ## [measure] write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models/models.expected

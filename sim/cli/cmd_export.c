@@ -27,6 +27,9 @@ struct export_request {
     struct compile_request compile;
 };
 
+/* What CMake takes in the name of a target. */
+#define COMPONENT_LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.+-_"
+
 /* As it was typed, for the page of the folder; words that a shell would take apart are quoted. */
 static char *tell_command(int argc, char **argv)
 {
@@ -44,7 +47,7 @@ static char *tell_command(int argc, char **argv)
         fputs(quote, memory);
     }
     fclose(memory);
-    return command;
+    return printable(command);
 }
 
 /* Names that another file, a header of C's, a system's or Arduino's library, or a target of CMake's or the Pico SDK's
@@ -92,8 +95,9 @@ static bool take_folder(struct export_request *out, const char *folder, struct e
     const char *last = strrchr(out->folder, '/') ? strrchr(out->folder, '/') + 1 : out->folder;
     if (!*last || strcmp(last, ".") == 0 || strcmp(last, "..") == 0)
         return error_set(err, "-o %s: gives the export no name; name the folder itself", folder);
-    if (strcmp(out->world->name, "idf") == 0 && strpbrk(last, " \t\"$;()"))
-        return error_set(err, "-o %s: ESP-IDF calls a component by its folder; no blanks, please", folder);
+    if (strcmp(out->world->name, "idf") == 0 && last[strspn(last, COMPONENT_LETTERS)])
+        return error_set(
+            err, "-o %s: ESP-IDF calls a component by its folder: letters, digits and . + - _ alone, please", folder);
     return name_all(out, err);
 }
 

@@ -61,13 +61,13 @@ ends_decoding() { # COMMAND that writes the input
     [ "$(tail -n 1 said | grep -c '^limner: .*stopped after [0-9.]* s (--time-limit 1): standard input.*, after 0 frames$')" -eq 1 ] ||
         { cat said && return 1; }
 }
-dump='printf "%s\n" "\$timescale 1 ns \$end" "\$var wire 1 a sck \$end" "\$var wire 1 b mosi \$end" "\$var wire 1 c dc \$end" "\$enddefinitions \$end"'
+dump='printf "%s\n" "\$timescale 1 ns \$end" "\$var wire 1 a sck \$end" "\$var wire 1 b mosi \$end" "\$var wire 1 c dc \$end" "\$enddefinitions \$end" "#0 0a 0b 0c"'
 tap_check "decode ends a log that goes on" ends_decoding 'yes "b 00"'
 tap_check "and a dump" ends_decoding "$dump; awk 'BEGIN { while (1) print \"#\" ++t * 100 \"\\n\" t % 2 \"a\" }'"
 tap_check "and one of blanks" ends_decoding "$dump; yes ''"
 tap_check "and one that is a comment" ends_decoding "$dump; echo '\$comment'; yes x"
 seq 3000000 | sed 's/.*/b 00 00 00 00/' >long.wire
-tap_check "and a file" ends 1 decode long.wire --panel st7789 --time-limit 0
+tap_check "and a file" ends 1 decode ../long.wire --panel st7789 --time-limit 0
 tap_check "which it reads by its end without" grep -q 'long.wire: ends after 0 frames' said
 
 for command in 'compile -o x' 'compile --report' 'compile --max-error 1 -o x' 'compile --max-vertex-error 1 -o x' 'compile --tree clusters -o x' \
