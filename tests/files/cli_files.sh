@@ -122,8 +122,8 @@ tap_check "what a command reads is not written" spares_what_it_reads
 make_house() {
     printf '%s\n' 'mtllib house.mtl' 'v 0 0 0' 'v 9 0 0' 'v 0 9 0' 'v 0 0 9' 'vt 0 0' 'vt 1 0' 'vt 0 1' 'usemtl a' \
         'f 1/1 3/3 2/2' 'f 1/1 2/2 4/3' 'f 1/1 4/2 3/3' 'f 2/1 3/2 4/3' >house.obj
-    printf '%s\n' 'newmtl a' 'map_Kd house.png' 'bump bumps.png' >house.mtl
-    small -o house.png && cp house.png bumps.png
+    printf '%s\n' 'newmtl a' 'map_Kd house.png' 'bump bumps.gif' >house.mtl
+    small -o house.png && small --gif bumps.gif
     base64=$(printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\77\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\77\0\0\0\0' | tee points.bin | base64 -w 0)
     [ -n "$base64" ] || return 1
     cat >points.gltf <<'GLTF'
@@ -138,7 +138,7 @@ GLTF
 # Each line: a file, and a command that would write it under a name which follows.
 spares_a_models_files() { # NAME OF THE OUTPUT, made of the file's by: same, soft, hard, whole
     make_house || return 1
-    mkdir kept && cp house.* bumps.png points.* way.cam kept || return 1
+    mkdir kept && cp house.* bumps.gif points.* way.cam kept || return 1
     while read -r file command; do
         case $1 in
         same) name=$file ;;
@@ -157,21 +157,19 @@ spares_a_models_files() { # NAME OF THE OUTPUT, made of the file's by: same, sof
         rm -f other_*
     done <<LIST
 house.png render house.obj --size 64x48 -o
-house.mtl render house.obj --size 64x48 -o
-house.obj render house.obj --size 64x48 --gif
-house.png render house.obj --size 64x48 --gif
+house.obj render house.obj --size 64x48 --ids
+bumps.gif render house.obj --size 64x48 --gif
 house.png render house.obj --size 64x48 --sheet
 house.mtl render house.obj --size 64x48 --ids
 house.mtl render house.obj --size 64x48 --write-hashes
 house.mtl render house.obj --size 64x48 --write-cameras
 house.png render house.obj --size 64x48 --no-textures -o
-bumps.png render house.obj --size 64x48 -o
-points.bin render points.gltf --size 64x48 -o
+points.bin render points.gltf --size 64x48 --ids
 house.mtl report house.obj --size 64x48 -o
 way.cam report house.obj --size 64x48 --camera way.cam -o
 house.png report-bug house.obj --size 64x48 -o
 LIST
-    rm -r kept house.* bumps.png points.* way.cam said && is_empty .
+    rm -r kept house.* bumps.gif points.* way.cam said && is_empty .
 }
 for name in same soft hard whole; do
     tap_check "what a model names is not written: $name" spares_a_models_files $name
@@ -409,7 +407,7 @@ tap_check "a GIF beyond the limit on files leaves nothing" refuses_large_files r
     --size 240x240
 tap_check "so do face numbers" refuses_large_files render "$scenes/icosahedron.obj" --ids x.ids --write-hashes h
 tap_check "and a sheet" refuses_large_files render "$scenes/icosahedron.obj" --sheet x.png --gif x.gif
-tap_check "and a compiled scene" refuses_large_files compile "$scenes/rooms.obj" --tree none -o b/scene
+tap_check "and a compiled scene" refuses_large_files compile "$scenes/rooms.obj" --tree none -o b/hall
 
 refuses_full_disk() {
     small --gif /dev/full 2>said && return 1
