@@ -9,7 +9,7 @@
 set -u
 
 : "${BUILD:?is set by the Makefile}" "${MUTATED:?is set by mutants.sh}" "${LIMIT_S:=600}"
-state=$BUILD/mutants
+state=$(cd "$BUILD" && pwd)/mutants # tests change their folder
 cover=$(cd "$state/cover" && pwd)
 into=$state/counts/$1
 

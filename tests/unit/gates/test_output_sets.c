@@ -20,11 +20,12 @@ static char folder[] = "/tmp/limner-output-sets-XXXXXX";
 /* Faults ------------------------------------------------------------------------------------- */
 
 static struct {
-    int calls;        /* of link(), rename() and unlink() so far */
-    int fails_from;   /* -1: none */
-    int fails_before; /* the first one that works again */
-    bool no_links;    /* a file system that has none */
-    int dies_at;      /* SIGKILL before that call, -1: never */
+    int calls;         /* of link(), rename() and unlink() so far */
+    int fails_from;    /* -1: none */
+    int fails_before;  /* the first one that works again */
+    bool no_links;     /* a file system that has none */
+    bool unlink_fails; /* one of those that failed was unlink() */
+    int dies_at;       /* SIGKILL before that call, -1: never */
 } faults;
 
 static void no_faults(void)
@@ -32,7 +33,7 @@ static void no_faults(void)
     faults.calls = 0;
     faults.fails_from = faults.dies_at = -1;
     faults.fails_before = 0;
-    faults.no_links = false;
+    faults.no_links = faults.unlink_fails = false;
 }
 
 int __real_link(const char *from, const char *to);
@@ -66,6 +67,7 @@ int __wrap_rename(const char *from, const char *to)
 int __wrap_unlink(const char *path)
 {
     if (!fails()) return __real_unlink(path);
+    faults.unlink_fails = true;
     errno = EIO;
     return -1;
 }
@@ -136,13 +138,17 @@ static void put_old_set(void)
         put_text(names[i], "old");
 }
 
+static const char *before = ""; /* what names of outputs begin with */
+
 static bool write_set(struct outputs *outputs, struct error *err)
 {
     for (size_t i = 0; i < NAMES; i++) {
-        FILE *file = outputs_open(outputs, names[i], err);
+        char path[sizeof folder + 64];
+        snprintf(path, sizeof path, "%s%s", before, names[i]);
+        FILE *file = outputs_open(outputs, path, err);
         if (!file) return false;
         fputs("new", file);
-        if (!outputs_close(file, names[i], err)) return false;
+        if (!outputs_close(file, path, err)) return false;
     }
     return true;
 }
@@ -181,9 +187,10 @@ static void keep_with_one_failure(bool no_links)
         ok = outputs_keep(&outputs, &err);
         was_met = faults.calls > call;
         failed += !ok;
+        assert_true(ok || !strstr(err.text, "what was there before"));
         /* Of what is to be removed at the end, or with the list, one file may stay where unlink() itself fails. */
         if (ok ? is_new_set() : is_old_set()) continue;
-        assert_true(was_met);
+        assert_true(was_met && faults.unlink_fails);
         for (size_t i = 0; i < OLD_NAMES; i++)
             assert_true(has_text(names[i], ok ? "new" : "old"));
         assert_int_equal(exists(names[OLD_NAMES]), ok);
@@ -245,6 +252,30 @@ static bool dies_at(int call, bool no_links)
     return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
 }
 
+/* Nobody else needs to know what is written. */
+static void a_list_is_the_users_own(void **state)
+{
+    (void)state;
+    struct outputs outputs = {0};
+    struct error err;
+    size_t lists = 0;
+    put_old_set();
+    assert_true(write_set(&outputs, &err));
+    DIR *entries = opendir(".");
+    assert_non_null(entries);
+    for (struct dirent *entry; (entry = readdir(entries));) {
+        struct stat status;
+        if (strncmp(entry->d_name, ".limner-", 8) != 0) continue;
+        assert_int_equal(lstat(entry->d_name, &status), 0);
+        assert_int_equal(status.st_mode & 0777, 0600);
+        lists++;
+    }
+    closedir(entries);
+    assert_int_equal(lists, 1);
+    outputs_discard(&outputs);
+    assert_true(is_old_set());
+}
+
 /* Its first output lies where theirs did. */
 static void run_again_in_vain(const char *path)
 {
@@ -256,14 +287,14 @@ static void run_again_in_vain(const char *path)
     outputs_discard(&outputs);
 }
 
-static void die_at_each_call(bool no_links)
+static void die_at_each_call(bool no_links, const char *next)
 {
     bool died = true;
     int news = 0, olds = 0;
     for (int call = 0; died; call++) {
         put_old_set();
         died = dies_at(call, no_links);
-        run_again_in_vain("a.txt");
+        run_again_in_vain(next);
         const bool is_new = is_new_set();
         if (!is_new && !is_old_set()) fail_msg("killed at call %d: neither all new nor all old", call);
         news += is_new;
@@ -276,13 +307,13 @@ static void die_at_each_call(bool no_links)
 static void the_next_run_cleans_up_after_one_killed_at_any_call(void **state)
 {
     (void)state;
-    die_at_each_call(false);
+    die_at_each_call(false, "a.txt");
 }
 
 static void and_where_files_have_one_name(void **state)
 {
     (void)state;
-    die_at_each_call(true);
+    die_at_each_call(true, "a.txt");
 }
 
 static void it_does_so_from_another_working_folder(void **state)
@@ -296,6 +327,20 @@ static void it_does_so_from_another_working_folder(void **state)
     run_again_in_vain(path);
     assert_int_equal(chdir(folder), 0);
     assert_true(is_old_set());
+}
+
+/* What one names by its whole path another finds by its name, and what lies beside the first one's folder as well. */
+static void names_may_be_others(void **state)
+{
+    (void)state;
+    char whole[sizeof folder + 1];
+    snprintf(whole, sizeof whole, "%s/", folder);
+    const char *const begins[] = {whole, "./", "sub/../"}, *const seconds[] = {"x", "x", "./x"};
+    for (size_t i = 0; i < sizeof begins / sizeof *begins; i++) {
+        before = begins[i];
+        die_at_each_call(false, seconds[i]);
+    }
+    before = "";
 }
 
 /* The user has put back a file before the next run. */
@@ -401,9 +446,11 @@ int main(void)
         cmocka_unit_test(a_call_that_fails_leaves_all_old_or_all_new),
         cmocka_unit_test(so_it_is_where_files_have_one_name),
         cmocka_unit_test(what_was_there_is_named_if_it_cannot_be_put_back),
+        cmocka_unit_test(a_list_is_the_users_own),
         cmocka_unit_test(the_next_run_cleans_up_after_one_killed_at_any_call),
         cmocka_unit_test(and_where_files_have_one_name),
         cmocka_unit_test(it_does_so_from_another_working_folder),
+        cmocka_unit_test(names_may_be_others),
         cmocka_unit_test(a_file_that_was_changed_since_stays),
         cmocka_unit_test(what_another_process_writes_stays),
         cmocka_unit_test(files_of_others_stay),
