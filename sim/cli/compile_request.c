@@ -6,7 +6,6 @@
 #include "base/parse.h"
 #include "compiler/compile.h"
 #include "core/core_parse.h"
-#include "export/embedded.h"
 #include "levels/level_path.h"
 #include "measure/worst_views.h"
 #include "scene/moving.h"
@@ -225,17 +224,12 @@ static bool names_differ(const struct compile_result *result, size_t i, const ch
     return true;
 }
 
-/* The scene's header includes these two by name; others of the renderer are found first, or not, by where they lie. */
+/* The scene's header includes these two by name. */
 static bool header_differs(const char *path, struct error *err)
 {
-    char header[C_PATH_MAX_B];
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    if (strcmp(name, "config") == 0 || strcmp(name, "limner") == 0)
-        return error_set(err, "-o '%s': the renderer has a header of that name; another one helps", path);
-    snprintf(header, sizeof header, "firmware/%s.h", name);
-    if (embedded_find(header))
-        notice("%s: the renderer has a header of that name, and C may take that one; another name helps", path);
-    return true;
+    return (strcmp(name, "config") != 0 && strcmp(name, "limner") != 0) ||
+           error_set(err, "-o '%s': the renderer has a header of that name; another one helps", path);
 }
 
 /* Names first: what cannot be written is not worth compiling. */
