@@ -2,9 +2,9 @@
  *
  * `limner report MODEL -o FILE.html`: all that is known of a scene, in one page that loads nothing. The file is whole
  * or not there. */
-#include "base/outputs.h"
 #include "cli/commands.h"
 #include "levels/level_path.h"
+#include "outputs/outputs.h"
 #include "page/page.h"
 
 #include <stdio.h>

@@ -3,7 +3,6 @@
  * `limner walk MODEL -o FILE.cam`: a walk through a scene as cameras, a line a frame; walls, steps and falls are those
  * of firmware/collide.h. */
 #include "base/arguments.h"
-#include "base/outputs.h"
 #include "base/parse.h"
 #include "base/printable.h"
 #include "cameras/walk_path.h"
@@ -11,6 +10,7 @@
 #include "compiler/compile.h"
 #include "levels/level_cameras.h"
 #include "levels/level_path.h"
+#include "outputs/outputs.h"
 #include "scene/scene_files.h"
 
 #include <math.h>

@@ -2,7 +2,6 @@
  *
  * `limner worst MODEL`: the camera that costs most and the one that errs most, searched in the scene's free space; by
  * how much they are worse than random cameras. With -o PATH: PATH.cam, and pictures. All files or none. */
-#include "base/outputs.h"
 #include "base/work_folder.h"
 #include "cameras/random_path.h"
 #include "cli/commands.h"
@@ -12,6 +11,7 @@
 #include "measure/difference.h"
 #include "measure/measure_request.h"
 #include "measure/worst_views.h"
+#include "outputs/outputs.h"
 #include "pictures/image.h"
 #include "scene/moving.h"
 

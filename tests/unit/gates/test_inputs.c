@@ -3,7 +3,7 @@
  * Files that were read are known by themselves and not by their names, in a child process as well, and no output takes
  * the place of one. */
 #include "base/inputs.h"
-#include "base/outputs.h"
+#include "outputs/outputs.h"
 #include "rigs/cmocka_ready.h"
 
 #include <fcntl.h>

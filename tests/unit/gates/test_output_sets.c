@@ -2,7 +2,7 @@
  *
  * Several outputs of one command take their places together: whichever call fails, whenever the process is killed, and
  * whatever else lies there. */
-#include "base/outputs.h"
+#include "outputs/outputs.h"
 #include "rigs/cmocka_ready.h"
 
 #include <dirent.h>

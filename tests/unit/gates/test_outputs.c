@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Output files come all or none, numbered names are safe, hash files find the frame that changed. */
-#include "base/outputs.h"
-#include "base/written.h"
+#include "outputs/outputs.h"
+#include "outputs/written.h"
 #include "pictures/hashes.h"
 #include "rigs/cmocka_ready.h"
 

@@ -4,7 +4,7 @@
 #include "base/c_name.h"
 #include "base/error.h"
 #include "base/printable.h"
-#include "base/written.h"
+#include "outputs/written.h"
 #include "page/html.h"
 #include "rigs/cmocka_ready.h"
 

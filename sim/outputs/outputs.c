@@ -3,14 +3,14 @@
  * All-or-nothing output by temporary names in the same folder, so that the final rename cannot fail for want of space;
  * what the command made is remembered in order and undone in reverse. A temporary's name has a random word in it, and
  * must be new: two runs, or a link that somebody has put there, never share it (output_run.h). */
-#include "base/outputs.h"
+#include "outputs/outputs.h"
 
 #include "base/ending.h"
 #include "base/grow.h"
 #include "base/inputs.h"
-#include "base/output_run.h"
-#include "base/output_set.h"
-#include "base/written.h"
+#include "outputs/output_run.h"
+#include "outputs/output_set.h"
+#include "outputs/written.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -6,7 +6,7 @@
 
 #include "base/ending.h"
 #include "base/error.h"
-#include "base/output_run.h"
+#include "outputs/output_run.h"
 
 #include <stddef.h>
 

@@ -5,7 +5,7 @@
  * only of lists that are the user's own: whoever makes one up can name no file that is not called so already. A lock is
  * asked for instead of a process number: it holds across containers, and ends with the process. */
 #define _GNU_SOURCE /* getdelim() beside flock() */
-#include "base/output_run.h"
+#include "outputs/output_run.h"
 
 #include "base/ending.h"
 

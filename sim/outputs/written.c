@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "base/written.h"
+#include "outputs/written.h"
 
 #include "base/printable.h"
 

@@ -2,7 +2,7 @@
  *
  * What is in a place gets a second name first, so that there is no moment without a file; where the file system has no
  * such names, it is renamed. One file alone needs neither: a rename is all or nothing. */
-#include "base/output_set.h"
+#include "outputs/output_set.h"
 
 #include <errno.h>
 #include <stdio.h>
