@@ -122,7 +122,7 @@ tap_check "what a command reads is not written" spares_what_it_reads
 make_house() {
     printf '%s\n' 'mtllib house.mtl' 'v 0 0 0' 'v 9 0 0' 'v 0 9 0' 'v 0 0 9' 'vt 0 0' 'vt 1 0' 'vt 0 1' 'usemtl a' \
         'f 1/1 3/3 2/2' 'f 1/1 2/2 4/3' 'f 1/1 4/2 3/3' 'f 2/1 3/2 4/3' >house.obj
-    printf '%s\n' 'newmtl a' 'map_Kd house.png' 'bump bumps.gif' >house.mtl
+    printf '%s\n' 'newmtl a' 'map_Kd house.png' 'map_d bumps.gif' >house.mtl
     small -o house.png && small --gif bumps.gif
     base64=$(printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\77\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\77\0\0\0\0' | tee points.bin | base64 -w 0)
     [ -n "$base64" ] || return 1
@@ -186,9 +186,9 @@ spares_by_made_names() { # FILE COMMAND...: the model names FILE
     grep -q "^limner: .*$file: cannot be written: the same command reads it\$" said && cmp "$file" before && rm -r ./*
 }
 tap_check "nor by a pattern" spares_by_made_names out/001.png render house.obj --size 64x48 --frames 3 -o 'out/%03d.png'
-tap_check "nor as a scene's header" spares_by_made_names scene.h compile house.obj -o scene
-tap_check "nor as its source" spares_by_made_names scene.c compile house.obj -o scene
-tap_check "nor as its scene" spares_by_made_names scene.lim compile house.obj -o scene
+tap_check "nor as a scene's header" spares_by_made_names scene.h compile house.obj --no-textures --tree none -o scene
+tap_check "nor as its source" spares_by_made_names scene.c compile house.obj --no-textures --tree none -o scene
+tap_check "nor as its scene" spares_by_made_names scene.lim compile house.obj --no-textures --tree none -o scene
 tap_check "nor as a table" spares_by_made_names out/measure.csv measure house.obj --no-cost --precision fast --size 64x48 -o out
 tap_check "nor as searched cameras" spares_by_made_names best.cam worst house.obj --size 64x48 -o best
 
