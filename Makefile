@@ -130,7 +130,7 @@ progress    = sh sim/tools/progress.sh
 progress_of = $(BUILD)/progress $(progress_count)
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
-rooms   := base core pictures model levels files gltf formats readers scene trees portals cameras displays glass render accuracy compiler export measure page cli
+rooms   := base outputs core pictures model levels files gltf formats readers scene trees portals cameras displays glass render accuracy compiler export measure page cli
 firmware_rooms := math view screen pixels lines movers touch pieces routes orders
 sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c) hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
@@ -343,6 +343,7 @@ $(addprefix $(BUILD)/tests/,$(faked)): $(call object,tests/fakes/fake_gpiod_v1.c
 $(addprefix $(BUILD)/tests/,$(faked)): test_links := $(foreach name,$(fake_calls),-Xlinker --wrap=$(name))
 tests/cli/cli_gpiod.sh: $(BUILD)/tests/test_linux_port
 $(BUILD)/tests/test_hid_port: test_links := -Xlinker --wrap=calloc
+$(BUILD)/tests/test_output_sets: test_links := $(foreach name,link rename unlink,-Xlinker --wrap=$(name))
 
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
 tests/cli/cli_extremes.sh: $(extremes) $(BUILD)/limner
@@ -350,7 +351,7 @@ tests/cli/cli_bench.sh: $(BUILD)/generate_bench
 tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
 tests/sub_bits.sh: $(BUILD)/limner $(addprefix $(BUILD)/tests/,test_convex test_scanline test_target_errors)
 
-suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh tests/formats/*.sh tests/choices/cli_*.sh)
+suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh tests/files/cli_*.sh tests/formats/*.sh tests/choices/cli_*.sh)
 suite-arm       := $(wildcard tests/arm/arm_*.sh)
 suite-fixed     := $(BUILD)/tests/test_fixed tests/arm/arm_fixed.sh
 suite-cpus      := $(wildcard tests/cpus/cpus_*.sh)
@@ -500,8 +501,8 @@ $(BUILD)/tests/fuzz_seeds: $(call object,tests/fuzz/libfuzzer/seeds.c) $(fuzz_ob
 
 # -- Mutants: see tests/mutants/README.md -------------------------------------------------------------------------------
 
-mutate: test-programs $(demo) packages ## [test] break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/view/clip.c, or MUTANT=NUMBER: one
-	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' sh tests/mutants.sh
+mutate: $(if $(TESTS),$(TESTS:%=$(BUILD)/tests/%),test-programs) $(demo) packages ## [test] break the code on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/view/clip.c TESTS=test_clip, or MUTANT=NUMBER: one
+	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' TESTS='$(TESTS)' sh tests/mutants.sh
 
 models-table: $(BUILD)/limner ## [measure] write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models/models.expected

@@ -20,6 +20,9 @@ void deadline_begin(double limit_s);
 /* The option's value, or without one (NULL) that of LIMNER_TIME_LIMIT in the environment, or the default. */
 bool deadline_parse(const char *text, double *limit_s, struct error *err);
 
+/* Of work that waits for others: no limit but one that the command line has given. */
+void deadline_only_if_given(void);
+
 /* Whether there is a limit. */
 bool deadline_is_set(void);
 

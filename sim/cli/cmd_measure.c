@@ -4,7 +4,7 @@
  * standard output; with -o, they and a plot go to a folder, all or none. */
 #include "base/child.h"
 #include "base/deadline.h"
-#include "base/outputs.h"
+#include "base/inputs.h"
 #include "base/progress.h"
 #include "base/work_folder.h"
 #include "cli/commands.h"
@@ -15,7 +15,7 @@
 #include "measure/measure_table.h"
 #include "measure/result_file.h"
 #include "measure/shimmer.h"
-#include "files/inputs.h"
+#include "outputs/outputs.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -35,7 +35,6 @@ struct measurement {
     struct measure_table table;
     struct work_folder folder;
     struct outputs outputs;
-    FILE *inputs; /* the names of files that are read, for --result; NULL: nobody asks */
 };
 
 /* Start -------------------------------------------------------------------------------------- */
@@ -211,7 +210,7 @@ static bool write_result(struct measurement *measurement, struct error *err)
         return error_set(err, "%s: no result: not all of it was measured in time, or a precision is refused",
                          request->model);
     return result_file_put(table, request->model, request->compile.method ? request->compile.method->name : "auto",
-                           measurement->inputs, request->result, &measurement->outputs, err);
+                           request->result, &measurement->outputs, err);
 }
 
 static bool write_folder(struct measurement *measurement, struct error *err)
@@ -229,21 +228,16 @@ static bool write_files(struct measurement *measurement, struct error *err)
     return write_folder(measurement, err) && write_result(measurement, err) && outputs_keep(&measurement->outputs, err);
 }
 
-static bool note_inputs(struct measurement *measurement, struct error *err)
+/* For --result; the importer notes the model's. */
+static void note_cameras(const struct camera_choice *cameras)
 {
-    if (!measurement->request.result) return true;
-    measurement->inputs = tmpfile();
-    if (!measurement->inputs) return error_set(err, "--result: no file for the names of what is read");
-    inputs_note_to(fileno(measurement->inputs));
-    const struct camera_choice *cameras = &measurement->request.cameras;
     if (cameras->text && !cameras->random_count && !level_path_parse(cameras->text, NULL)) inputs_note(cameras->text);
-    return true;
 }
 
 static bool run(struct measurement *measurement, struct error *err)
 {
-    const bool ok = measure_request_check(&measurement->request, err) && note_inputs(measurement, err) &&
-                    work_folder_make(&measurement->folder, err) &&
+    note_cameras(&measurement->request.cameras);
+    const bool ok = measure_request_check(&measurement->request, err) && work_folder_make(&measurement->folder, err) &&
                     measure_request_load_variants(&measurement->request, measurement->folder.path, err) &&
                     prepare(measurement, err) && measure_all(measurement, err) && write_files(measurement, err);
     progress_end();
@@ -255,7 +249,6 @@ static bool run(struct measurement *measurement, struct error *err)
 static void measurement_free(struct measurement *measurement)
 {
     outputs_discard(&measurement->outputs);
-    if (measurement->inputs) fclose(measurement->inputs);
     work_folder_remove(&measurement->folder);
     measure_source_free(&measurement->source);
     camera_path_free(&measurement->path);

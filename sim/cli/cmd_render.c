@@ -7,8 +7,8 @@
 #include "accuracy/moving_reference.h"
 #include "accuracy/unsettled.h"
 #include "base/deadline.h"
+#include "base/inputs.h"
 #include "base/notice.h"
-#include "base/outputs.h"
 #include "base/progress.h"
 #include "cameras/cameras_c.h"
 #include "cli/commands.h"
@@ -17,6 +17,7 @@
 #include "core/core.h"
 #include "levels/level_path.h"
 #include "model/mapping.h"
+#include "outputs/outputs.h"
 #include "pictures/dump.h"
 #include "pictures/frame_file.h"
 #include "pictures/hashes.h"
@@ -69,10 +70,10 @@ static bool open_outputs(struct render *render, struct error *err)
     if (options->compare && options_scene_is_compiled(options))
         return error_set(err, "--compare: %s holds no source polygons; give the model", options->scene_path);
     const char *cameras_path = options->cameras.random_count ? NULL : options->cameras.text;
-    return level_path_spare(&render->outputs, options->scene_path, err) &&
-           outputs_spare(&render->outputs, cameras_path, err) &&
-           outputs_spare(&render->outputs, options->check_path, err) &&
-           open_output(render, options->gif_path, &render->gif_file, err) &&
+    level_path_note(options->scene_path);
+    if (cameras_path) inputs_note_name(cameras_path);
+    if (options->check_path) inputs_note_name(options->check_path);
+    return open_output(render, options->gif_path, &render->gif_file, err) &&
            open_output(render, options->sheet_path, &render->sheet_file, err) &&
            open_output(render, options->ids_path, &render->ids_file, err) &&
            open_output(render, options->hashes_path, &render->hashes_file, err) &&
@@ -336,8 +337,9 @@ static bool render_run(struct render *render, struct error *err)
 {
     if (!open_outputs(render, err) ||
         !options_load(&render->options, &render->scene, &render->moving, &render->lens, &render->path, err) ||
-        !allocate(render, err) || !start(render, err) || !render_frames(render, err) || !write_films(render, err) ||
-        !write_cameras(render, err) || !close_outputs(render, err))
+        !outputs_check(&render->outputs, err) || !allocate(render, err) || !start(render, err) ||
+        !render_frames(render, err) || !write_films(render, err) || !write_cameras(render, err) ||
+        !close_outputs(render, err))
         return false;
     note_unsettled(render);
     print_tables(render);

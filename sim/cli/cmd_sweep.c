@@ -4,10 +4,13 @@
  * others run: a shell, GNU parallel, Slurm. `limner sweep --merge DIR` joins what these have written. */
 #include "base/arguments.h"
 #include "base/grow.h"
-#include "base/outputs.h"
 #include "cli/commands.h"
 #include "measure/measure_request.h"
+<<<<<<< HEAD
 #include "measure/sweep_results.h"
+    =======
+#include "outputs/outputs.h"
+    >>>>>>> bb8b039a (sim/outputs: what a command writes has a room)
 
 #include <errno.h>
 #include <stdio.h>
@@ -15,7 +18,12 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PATH_MAX_B = 1024, SETTINGS_MAX = 64, WORD_B = 32, MORE_WORDS = 8 };
+    enum {
+        PATH_MAX_B = 1024,
+        SETTINGS_MAX = 64,
+        WORD_B = 32,
+        MORE_WORDS = 8
+    };
 static const char PROFILES[] = "draft,fast,fine,exact", METHOD_AUTO[] = "auto";
 
 struct sweeping {

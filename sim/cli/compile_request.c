@@ -104,6 +104,22 @@ static bool *flag_of(int code, struct compile_request *out)
     }
 }
 
+/* Before it is told: what it is called then. */
+static void map_name(char *name)
+{
+    char *given = strdup(name);
+    if (c_name_map(name) && given) notice("%s: files are called %s: C cannot name the other", given, name);
+    free(given);
+}
+
+static bool take_name(char *name, struct compile_request *out, struct error *err)
+{
+    out->name = name;
+    if (!*name) return error_set(err, "-o: needs a name");
+    map_name(name);
+    return true;
+}
+
 static bool parse_option(int code, char **argv, struct compile_request *out, struct error *err)
 {
     bool *const flag = flag_of(code, out);
@@ -111,8 +127,7 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
     if (compile_options_know(code)) return compile_options_take(code, optarg, &out->compile, err);
     switch (code) {
     case 'o':
-        out->name = optarg;
-        return *optarg || error_set(err, "-o: needs a name");
+        return take_name(optarg, out, err);
     case OPTION_TOLERANCE:
         return parse_tolerance(optarg, &out->compile.tolerance_units, err);
     case OPTION_METHOD:
@@ -192,7 +207,9 @@ static bool name_scene(const struct compile_request *request, size_t i, char nam
     char suffix[C_NAME_MAX_B] = "_";
     if (level_path_stem(request->models[i], suffix + 1, sizeof suffix - 1) >= C_NAME_MAX_B - 1)
         return error_set(err, "%s: the name is too long for C symbols", request->models[i]);
-    return c_path(name, request->name, suffix, err);
+    if (!c_path(name, request->name, suffix, err)) return false;
+    if (request->has_lim) map_name(name);
+    return true;
 }
 
 static bool names_differ(const struct compile_result *result, size_t i, const char *model, struct error *err)
@@ -207,9 +224,18 @@ static bool names_differ(const struct compile_result *result, size_t i, const ch
     return true;
 }
 
+/* The scene's header includes these two by name. */
+static bool header_differs(const char *path, struct error *err)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    return (strcmp(name, "config") != 0 && strcmp(name, "limner") != 0) ||
+           error_set(err, "-o '%s': the renderer has a header of that name; another one helps", path);
+}
+
 /* Names first: what cannot be written is not worth compiling. */
 static bool name_all(const struct compile_request *request, struct compile_result *result, struct error *err)
 {
+    if (request->has_lim && !header_differs(request->name, err)) return false;
     for (size_t i = 0; i < request->model_count; i++)
         if (!name_scene(request, i, result->names[i], err) || !names_differ(result, i, request->models[i], err))
             return false;

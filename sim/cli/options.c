@@ -4,7 +4,6 @@
 #include "cli/options.h"
 
 #include "base/grow.h"
-#include "base/outputs.h"
 #include "base/parse.h"
 #include "compiler/compile.h"
 #include "compiler/order_choice.h"
@@ -12,6 +11,7 @@
 #include "core/core_parse.h"
 #include "displays/module_choice.h"
 #include "levels/level_path.h"
+#include "outputs/outputs.h"
 #include "render/caption.h"
 #include "scene/scene_files.h"
 

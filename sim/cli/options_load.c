@@ -2,10 +2,10 @@
  *
  * From options to a scene and its cameras. */
 #include "base/notice.h"
-#include "base/outputs.h"
 #include "cameras/facing.h"
 #include "cli/options.h"
 #include "compiler/order_choice.h"
+#include "outputs/outputs.h"
 #include "scene/scene_files.h"
 
 #include <math.h>

@@ -364,9 +364,10 @@ static const struct usage_entry ENTRIES[] = {
     {0, "replay:\n"},
     {REPLAY, "  -o FILE             the report anew, with what comes out now\n"},
     {0, "all that take a MODEL, which may be a map of Doom or Freedoom, FILE.wad:MAP or IWAD.wad+PWAD.wad:MAP:\n"},
-    {MODELS | REPLAY | WALK,
+    {MODELS | REPLAY | WALK | DECODE,
      "  --time-limit SECONDS  then the best so far counts, said as such; nothing yet is an error (600, or\n"
-     "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly\n"},
+     "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly; decode\n"
+     "                      from a pipe: none, unless it is given here\n"},
     {0, "environment:\n"},
     {MODELS | REPLAY | WALK,
      "  LIMNER_PROGRESS=10  seconds between lines of what long work does, where standard error is no terminal (10;\n"

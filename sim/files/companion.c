@@ -5,9 +5,9 @@
 #define _XOPEN_SOURCE 700
 #include "files/companion.h"
 
+#include "base/inputs.h"
 #include "base/names.h"
 #include "files/any_case.h"
-#include "files/inputs.h"
 #include "files/name_forms.h"
 
 #include <errno.h>
@@ -304,6 +304,18 @@ void companions_tell(struct model *to)
     tell(to, "not found where it says, but beside it", &model.beside);
     tell(to, "read by names that differ in capitals", &model.other_case);
     forget_names();
+}
+
+void companion_note(const char *name)
+{
+    struct name_forms forms;
+    char path[2 * PATH_SIZE_B];
+    for (size_t i = 0; name_forms_of(name, &forms) && i < forms.count; i++) {
+        const char *inside = in_folder(forms.forms[i]);
+        if (!trusts && leads_out(inside)) continue;
+        snprintf(path, sizeof path, "%s%s", *inside == '/' ? "" : model.folder, inside);
+        inputs_note_name(path);
+    }
 }
 
 /* Having found no file, the library goes on with parts of its path behind the folder's: these look as absolute names

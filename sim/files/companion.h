@@ -33,7 +33,11 @@ FILE *companion_open(const char *name, size_t most_b, size_t *size_b, struct err
 /* Whether companion_open() would find something by this very name; nothing is said of it. */
 bool companion_is_there(const char *name);
 
-/* The same for a path that a library has made of the model's folder and a name; the model's own is opened as it is. */
+/* Notes what the model calls `name` though it is not opened, if it lies where it may (inputs.h). */
+void companion_note(const char *name);
+
+/* The same as companion_open() for a path that a library has made of the model's folder and a name; the model's own is
+ * opened as it is. */
 FILE *companion_open_path(const char *path, size_t most_b, size_t *size_b, struct error *err);
 
 /* Notes which files were read that are not where, or not called as, the model says. */

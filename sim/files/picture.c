@@ -319,6 +319,25 @@ void picture_read(const struct aiScene *scene, const char *name, struct picture 
         read_file(out, name);
 }
 
+static void note_pictures_of(const struct aiMaterial *material)
+{
+    struct aiString name;
+    for (unsigned i = 0; i < material->mNumProperties; i++) {
+        const struct aiMaterialProperty *property = material->mProperties[i];
+        if (strcmp(property->mKey.data, _AI_MATKEY_TEXTURE_BASE) != 0) continue;
+        if (aiGetMaterialString(material, _AI_MATKEY_TEXTURE_BASE, property->mSemantic, property->mIndex, &name) ==
+                aiReturn_SUCCESS &&
+            name.length > 0 && name.data[0] != '*')
+            companion_note(name.data);
+    }
+}
+
+void pictures_note(const struct aiScene *scene)
+{
+    for (unsigned i = 0; i < scene->mNumMaterials; i++)
+        note_pictures_of(scene->mMaterials[i]);
+}
+
 void picture_free(struct picture *picture)
 {
     free(picture->pixels);

@@ -16,6 +16,9 @@ void picture_read(const struct aiScene *scene, const char *name, struct picture 
 /* The same of a file beside the model, and of a file's bytes. */
 void picture_read_file(const char *name, struct picture *out);
 void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct picture *out);
+/* Notes the files of all pictures that the materials name, of kinds that are not drawn and left out ones as well:
+ * they are the model's, and no output takes their place (companion_note()). */
+void pictures_note(const struct aiScene *scene);
 
 /* --no-textures: none is read, for all of the process; faces have the colours of their materials. */
 void pictures_leave_out(void);

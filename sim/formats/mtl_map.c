@@ -211,5 +211,6 @@ bool mtl_map_read(struct mtl *mtl, struct text *line, enum mtl_picture kind, str
     if (!name.length) return true;
     map->name = grow_zeroed(name.length + 1, 1);
     memcpy(map->name, name.text, name.length);
+    companion_note(map->name); /* though it may be left out */
     return true;
 }

@@ -2,7 +2,7 @@
 #include "gltf/gltf_plain.h"
 
 #include "base/grow.h"
-#include "files/inputs.h"
+#include "base/inputs.h"
 #include "gltf/gltf_extensions.h"
 #include "gltf/gltf_plain_work.h"
 

@@ -5,6 +5,7 @@
 
 #include "base/child.h"
 #include "base/parse.h"
+#include "base/printable.h"
 #include "base/progress.h"
 #include "compiler/compile.h"
 #include "core/core.h"
@@ -262,6 +263,7 @@ static bool take_model(int argc, char **argv, struct measure_request *out, struc
     if (lim_file_is_named(out->model))
         return error_set(err, "%s: accuracy is measured against the model, not against a compiled scene", out->model);
     level_path_stem(out->model, out->name, sizeof out->name);
+    printable(out->name);
     return true;
 }
 

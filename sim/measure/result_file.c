@@ -5,6 +5,7 @@
 
 #include "base/grow.h"
 #include "base/input_file.h"
+#include "base/inputs.h"
 #include "base/sha256.h"
 #include "base/versions.h"
 
@@ -44,44 +45,31 @@ static bool digest_of(const char *path, char text[DIGEST_TEXT_B], struct error *
 
 /* Writing ------------------------------------------------------------------------------------ */
 
-static bool is_before(const char *paths, const char *path)
+static bool is_before(size_t index)
 {
-    for (const char *at = paths; at < path; at += strlen(at) + 1)
-        if (strcmp(at, path) == 0) return true;
+    for (size_t i = 0; i < index; i++)
+        if (strcmp(inputs_path(i), inputs_path(index)) == 0) return true;
     return false;
 }
 
-static bool write_inputs(const char *paths, size_t n_b, FILE *out, struct error *err)
+static bool write_inputs(FILE *out, struct error *err)
 {
     char digest[DIGEST_TEXT_B];
-    for (const char *path = paths; path < paths + n_b; path += strlen(path) + 1) {
-        if (is_before(paths, path)) continue;
-        if (!digest_of(path, digest, err)) return false;
-        fprintf(out, "input %s %s\n", digest, path);
+    for (size_t i = 0; i < inputs_count(); i++) {
+        if (is_before(i)) continue;
+        if (!digest_of(inputs_path(i), digest, err)) return false;
+        fprintf(out, "input %s %s\n", digest, inputs_path(i));
     }
     return true;
 }
 
-static char *read_noted(FILE *inputs, size_t *n_b)
+bool result_file_put(const struct measure_table *table, const char *model, const char *method, const char *path,
+                     struct outputs *outputs, struct error *err)
 {
-    const long end_b = fseek(inputs, 0, SEEK_END) == 0 ? ftell(inputs) : 0;
-    *n_b = end_b > 0 ? (size_t)end_b : 0;
-    char *paths = grow_zeroed(*n_b + 1, 1);
-    rewind(inputs);
-    *n_b = fread(paths, 1, *n_b, inputs);
-    return paths;
-}
-
-bool result_file_put(const struct measure_table *table, const char *model, const char *method, FILE *inputs,
-                     const char *path, struct outputs *outputs, struct error *err)
-{
-    size_t n_b;
     FILE *file = outputs_open(outputs, path, err);
     if (!file) return false;
-    char *paths = read_noted(inputs, &n_b);
     fprintf(file, "%sversion %s\nmodel %s\nmethod %s\n", HEAD, versions_program(), model, method);
-    const bool ok = write_inputs(paths, n_b, file, err);
-    free(paths);
+    const bool ok = write_inputs(file, err);
     fputc('\n', file);
     measure_table_csv(table, file);
     return outputs_close(file, path, ok ? err : &(struct error){0}) && ok;

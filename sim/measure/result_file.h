@@ -6,14 +6,14 @@
 #ifndef SIM_RESULT_FILE_H
 #define SIM_RESULT_FILE_H
 
-#include "base/outputs.h"
 #include "measure/measure_table.h"
+#include "outputs/outputs.h"
 
 enum { RESULT_TEXT_B = 1024 };
 
-/* `inputs`: paths of files that were read, a zero behind each; as inputs_note_to() has them noted. */
-bool result_file_put(const struct measure_table *table, const char *model, const char *method, FILE *inputs,
-                     const char *path, struct outputs *outputs, struct error *err);
+/* With the files that inputs_note() has got. */
+bool result_file_put(const struct measure_table *table, const char *model, const char *method, const char *path,
+                     struct outputs *outputs, struct error *err);
 
 struct result_file {
     char version[RESULT_TEXT_B], model[RESULT_TEXT_B], method[64];

@@ -5,10 +5,10 @@
 
 #include "base/child.h"
 #include "base/input_file.h"
-#include "base/outputs.h"
 #include "base/work_folder.h"
 #include "measure/measure_request.h"
 #include "measure/sweep_merge.h"
+#include "outputs/outputs.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -7,8 +7,8 @@
 #include "readers/import.h"
 
 #include "base/grow.h"
+#include "base/inputs.h"
 #include "files/companion.h"
-#include "files/inputs.h"
 #include "files/masked_picture.h"
 #include "files/picture.h"
 #include "formats/float_step.h"
@@ -556,6 +556,7 @@ static bool import_by_library(const char *path, struct model *model, struct erro
         return false;
     }
     import.scene = import_file(path, import.plain.path, &import.numbers, err);
+    if (import.scene) pictures_note(import.scene);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) take_unit(&import);
     if (ok) note_light(&import);

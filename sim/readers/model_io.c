@@ -4,8 +4,8 @@
  * handle, our own record and the bytes; closing the handle frees it. */
 #include "readers/model_io.h"
 
+#include "base/inputs.h"
 #include "files/companion.h"
-#include "files/inputs.h"
 #include "files/whole_file.h"
 #include "readers/obj.h"
 

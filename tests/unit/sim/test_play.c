@@ -410,11 +410,12 @@ static void a_frame_after_a_fault_is_whole(void **state)
         assert_int_equal(raw[i], expected[i]);
 }
 
-/* While the panel is being set up. */
+static int sent; /* the signal that comes while the panel is being set up */
+
 static int interrupt_reset(void *ctx, bool high)
 {
     const struct pin *wired = ctx;
-    if (!high) raise(SIGINT);
+    if (!high) raise(sent);
     return wired->set(wired->ctx, high);
 }
 
@@ -422,16 +423,16 @@ static int interrupt_reset(void *ctx, bool high)
 static void play_until_interrupted(int told)
 {
     const struct pin wired = emulated_port_reset(fake.display);
-    signal(SIGINT, SIG_DFL); /* whatever the test itself was started with */
+    signal(sent, SIG_DFL); /* whatever the test itself was started with */
     fake.chips[0].lines[4].wire = (struct pin){(void *)(uintptr_t)&wired, interrupt_reset};
     fake.chips[0].lines[3].released = told;
     _exit(play("st7789", "--size 96x72 --offset 11,12 --test-card") + 64);
 }
 
-static void the_program_dies_of_the_signal_after_releasing_all(void **state)
+static void dies_after_releasing_all(int signal_number)
 {
-    (void)state;
     int told[2], status;
+    sent = signal_number;
     char last = 0;
     plug_in("st7789", &glass_module);
     assert_int_equal(pipe(told), 0);
@@ -440,12 +441,20 @@ static void the_program_dies_of_the_signal_after_releasing_all(void **state)
     assert_true(child >= 0);
     if (child == 0) play_until_interrupted(told[1]);
     assert_int_equal(waitpid(child, &status, 0), child);
-    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == signal_number);
     assert_int_equal(write(told[1], "-", 1), 1); /* read() below does not wait, whatever happened */
     assert_int_equal(__real_read(told[0], &last, 1), 1);
     assert_int_equal(last, '0'); /* the backlight was low when its line was let go */
     assert_int_equal(__real_close(told[0]), 0);
     assert_int_equal(__real_close(told[1]), 0);
+}
+
+static void the_program_dies_of_the_signal_after_releasing_all(void **state)
+{
+    (void)state;
+    static const int signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++)
+        dies_after_releasing_all(signals[i]);
 }
 
 /* A signal that comes in the middle of frame 2. */

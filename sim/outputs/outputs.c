@@ -1,44 +1,27 @@
 /* SPDX-License-Identifier: MIT
  *
  * All-or-nothing output by temporary names in the same folder, so that the final rename cannot fail for want of space;
- * what the command made is remembered in order and undone in reverse. A temporary's name is random and must be new:
- * two runs, or a link that somebody has put there, never share it. */
-#include "base/outputs.h"
+ * what the command made is remembered in order and undone in reverse. A temporary's name has a random word in it, and
+ * must be new: two runs, or a link that somebody has put there, never share it (output_run.h). */
+#include "outputs/outputs.h"
 
 #include "base/ending.h"
 #include "base/grow.h"
-#include "base/written.h"
+#include "base/inputs.h"
+#include "outputs/output_run.h"
+#include "outputs/output_set.h"
+#include "outputs/written.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 enum {
     PATH_SIZE_B = 4096,
-    LINKS_MAX = 40,        /* as the kernel follows */
-    PART_NAME_MAX_B = 200, /* of a name's 255 bytes: the rest is for what the temporary's name adds */
-    PART_ADDED_B = 16,
-    PART_TRIES = 16,
-    LOCK_TRIES = 100,
-    LOCK_WAIT_MS = 10
-};
-
-struct output_path {
-    char *path; /* final name, no link */
-    char *part; /* name while being written; NULL: a folder */
-    struct leftover *leftover;
-};
-
-struct spared_file {
-    dev_t device;
-    ino_t number;
+    LINKS_MAX = 40 /* as the kernel follows */
 };
 
 /* Where the file is to be: links in the place of the file are followed to their end, as fopen() does. */
@@ -48,37 +31,41 @@ struct place {
     mode_t mode;
 };
 
+static void path_free(struct output_path *path)
+{
+    ending_forget(path->leftover);
+    free(path->path);
+    free(path->part);
+    free(path->old);
+}
+
 static void outputs_free(struct outputs *outputs)
 {
-    for (size_t i = 0; i < outputs->count; i++) {
-        ending_forget(outputs->paths[i].leftover);
-        free(outputs->paths[i].path);
-        free(outputs->paths[i].part);
-    }
+    for (size_t i = 0; i < outputs->count; i++)
+        path_free(&outputs->paths[i]);
     free(outputs->paths);
-    free(outputs->spared);
+    output_run_end(outputs->run);
     *outputs = (struct outputs){0};
 }
 
-/* What has just been made; part: NULL for a folder. */
-static bool outputs_remember(struct outputs *outputs, const char *path, const char *part, struct error *err)
+/* What has just been made, whose strings become the list's; its errors undo it. */
+static bool outputs_remember(struct outputs *outputs, struct output_path made, struct error *err)
 {
     struct output_path *paths = realloc(outputs->paths, (outputs->count + 1) * sizeof *paths);
     if (paths) outputs->paths = paths;
-    struct output_path made = {strdup(path), part ? strdup(part) : NULL, NULL};
-    made.leftover = part ? ending_add(LEFTOVER_FILE, part) : ending_add(LEFTOVER_FOLDER, path);
-    if (paths && made.path && (!part || made.part) && made.leftover) {
+    if (made.path)
+        made.leftover = ending_add(made.part ? LEFTOVER_FILE : LEFTOVER_FOLDER, made.part ? made.part : made.path);
+    if (paths && made.leftover) {
         paths[outputs->count++] = made;
         return true;
     }
-    ending_forget(made.leftover);
-    free(made.path);
-    free(made.part);
-    if (part)
-        unlink(part);
-    else
-        rmdir(path);
-    return error_set(err, "%s: out of memory", path);
+    error_set(err, "%s: out of memory", made.path ? made.path : "an output");
+    if (made.part)
+        unlink(made.part);
+    else if (made.path)
+        rmdir(made.path);
+    path_free(&made);
+    return false;
 }
 
 /* Places ------------------------------------------------------------------------------------- */
@@ -136,7 +123,7 @@ static bool make_folders(struct outputs *outputs, const char *path, struct error
         *slash = '\0';
         ending_hold();
         if (mkdir(folder, 0777) == 0)
-            ok = outputs_remember(outputs, folder, NULL, err);
+            ok = outputs_remember(outputs, (struct output_path){.path = strdup(folder)}, err);
         else if (errno != EEXIST)
             ok = error_set(err, "%s: cannot make the folder: %s", folder, strerror(errno));
         ending_release();
@@ -170,70 +157,61 @@ static bool is_taken(const struct outputs *outputs, const char *path)
     return false;
 }
 
-/* Spared ------------------------------------------------------------------------------------- */
+/* Read ---------------------------------------------------------------------------------------- */
 
-bool outputs_spare(struct outputs *outputs, const char *path, struct error *err)
+static const char THE_SAME[] = "the same command reads it";
+
+static bool is_read(const char *path)
 {
     struct stat status;
-    if (!path || stat(path, &status) != 0 || !S_ISREG(status.st_mode)) return true;
-    struct spared_file *spared = realloc(outputs->spared, (outputs->spared_count + 1) * sizeof *spared);
-    if (!spared) return error_set(err, "%s: out of memory", path);
-    outputs->spared = spared;
-    spared[outputs->spared_count++] = (struct spared_file){status.st_dev, status.st_ino};
-    return true;
+    return stat(path, &status) == 0 && inputs_have(&status);
 }
 
-static bool is_spared(const struct outputs *outputs, const char *path)
+bool outputs_check(const struct outputs *outputs, struct error *err)
 {
-    struct stat status;
-    if (stat(path, &status) != 0) return false;
-    for (size_t i = 0; i < outputs->spared_count; i++)
-        if (outputs->spared[i].device == status.st_dev && outputs->spared[i].number == status.st_ino) return true;
-    return false;
+    for (size_t i = 0; i < outputs->count; i++)
+        if (outputs->paths[i].part && is_read(outputs->paths[i].path))
+            return error_set(err, "%s: cannot be written: %s", outputs->paths[i].path, THE_SAME);
+    return true;
 }
 
 /* Files -------------------------------------------------------------------------------------- */
 
-/* NAME.RANDOM.part */
-static bool part_name(const char *path, char part[PATH_SIZE_B])
-{
-    static const char digits[] = "0123456789abcdefghijklmnopqrstuv";
-    const size_t folder_b = folder_length(path);
-    uint64_t random;
-    if (getentropy(&random, sizeof random) != 0) return false;
-    char word[9] = "";
-    for (int i = 0; i < 8; i++, random /= 32)
-        word[i] = digits[random % 32];
-    const int length =
-        snprintf(part, PATH_SIZE_B, "%.*s%.*s.%s.part", (int)folder_b, path, PART_NAME_MAX_B, path + folder_b, word);
-    errno = ENAMETOOLONG;
-    return length < PATH_SIZE_B;
-}
-
 /* With the permissions that fopen() would give, or leave, the file. */
-static int part_open(const struct place *place, char part[PATH_SIZE_B])
+static int part_open(const struct place *place, const char *part)
 {
-    int descriptor = -1;
-    errno = EEXIST;
-    for (int i = 0; descriptor < 0 && errno == EEXIST && i < PART_TRIES; i++)
-        if (part_name(place->path, part))
-            descriptor = open(part, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    const int descriptor = open(part, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor >= 0 && place->exists) (void)!fchmod(descriptor, place->mode & 0777);
     return descriptor;
 }
 
+/* Listed before it is there: if the process is killed in between, nothing is left that nobody knows of. */
+static int part_begin(struct outputs *outputs, const struct place *place, struct error *err)
+{
+    if (!outputs->run) outputs->run = output_run_begin(place->path);
+    if (!outputs->run) return -1;
+    const size_t number = output_run_add(outputs->run, place->path);
+    struct output_path made = {.path = strdup(place->path),
+                               .part = output_run_name(outputs->run, place->path, number, OUTPUT_PART),
+                               .old = output_run_name(outputs->run, place->path, number, OUTPUT_OLD)};
+    const int descriptor = made.path && made.part && made.old ? part_open(place, made.part) : -1;
+    if (descriptor < 0) {
+        path_free(&made);
+        return -1;
+    }
+    if (outputs_remember(outputs, made, err)) return descriptor;
+    close(descriptor);
+    errno = ENOMEM;
+    return -1;
+}
+
 static int place_open(struct outputs *outputs, const struct place *place, struct error *err)
 {
-    char part[PATH_SIZE_B];
     if (place->as_it_is) return open(place->path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
     ending_hold();
-    int descriptor = part_open(place, part);
-    if (descriptor >= 0 && !outputs_remember(outputs, place->path, part, err)) {
-        close(descriptor);
-        descriptor = -1;
-        errno = ENOMEM;
-    }
+    const int descriptor = part_begin(outputs, place, err), reason = errno;
     ending_release();
+    errno = reason;
     return descriptor;
 }
 
@@ -246,7 +224,7 @@ FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err)
     const bool is_folder = found && (S_ISDIR(place.mode) || (folder_b && !place.path[folder_b]));
     if (found && place.exists && access(place.path, W_OK) != 0) reason = strerror(errno);
     if (is_folder) reason = "it is a folder";
-    if (found && is_spared(outputs, place.path)) reason = "the same command reads it";
+    if (found && is_read(place.path)) reason = THE_SAME;
     if (!path[0]) {
         error_set(err, "%s: a file name is empty", path);
         return NULL;
@@ -282,31 +260,22 @@ FILE *outputs_reread(const struct outputs *outputs, size_t index, const char **p
 
 /* All ---------------------------------------------------------------------------------------- */
 
-/* Two runs into one place take turns, so that files which belong together come from one run. A lock that is not to be
- * had within a second is done without: it is another program's. Returns -1, or what to close. */
-static int lock_folder(const struct outputs *outputs)
+/* Of the first file; NULL: there is none. */
+static char *first_folder(const struct outputs *outputs)
 {
-    char folder[PATH_SIZE_B];
-    size_t first = 0;
-    while (first < outputs->count && !outputs->paths[first].part)
-        first++;
-    if (first == outputs->count) return -1;
-    const char *path = outputs->paths[first].path;
-    snprintf(folder, sizeof folder, "%.*s.", (int)folder_length(path), path);
-    const int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    for (int i = 0; descriptor >= 0 && i < LOCK_TRIES && flock(descriptor, LOCK_EX | LOCK_NB) != 0; i++)
-        poll(NULL, 0, LOCK_WAIT_MS);
-    return descriptor;
+    for (size_t i = 0; i < outputs->count; i++)
+        if (outputs->paths[i].part) return output_folder_of(outputs->paths[i].path);
+    return NULL;
 }
 
-static bool rename_all(const struct outputs *outputs, struct error *err)
+static bool place_all(struct outputs *outputs, struct error *err)
 {
-    for (size_t i = 0; i < outputs->count; i++) {
-        const struct output_path *made = &outputs->paths[i];
-        if (made->part && rename(made->part, made->path) != 0)
-            return error_set(err, "%s: cannot be written: %s", made->path, strerror(errno));
-    }
-    return true;
+    char *folder = first_folder(outputs);
+    const int lock = folder ? output_folder_lock(folder) : -1;
+    const bool ok = outputs_check(outputs, err) && output_set_place(outputs->paths, outputs->count, outputs->run, err);
+    if (lock >= 0) close(lock);
+    free(folder);
+    return ok;
 }
 
 static void files_text(const struct outputs *outputs, char text[WRITTEN_B])
@@ -323,9 +292,7 @@ bool outputs_keep(struct outputs *outputs, struct error *err)
 {
     char text[WRITTEN_B];
     ending_hold();
-    const int lock = lock_folder(outputs);
-    const bool ok = rename_all(outputs, err);
-    if (lock >= 0) close(lock);
+    const bool ok = place_all(outputs, err);
     files_text(outputs, text);
     if (ok)
         outputs_free(outputs);
@@ -336,16 +303,16 @@ bool outputs_keep(struct outputs *outputs, struct error *err)
     return ok;
 }
 
+/* The folders become empty last. */
 void outputs_discard(struct outputs *outputs)
 {
     ending_hold();
-    for (size_t i = outputs->count; i-- > 0;) {
-        const struct output_path *made = &outputs->paths[i];
-        if (made->part)
-            unlink(made->part);
-        else
-            rmdir(made->path);
-    }
+    for (size_t i = outputs->count; i-- > 0;)
+        if (outputs->paths[i].part) unlink(outputs->paths[i].part);
+    output_run_end(outputs->run);
+    outputs->run = NULL;
+    for (size_t i = outputs->count; i-- > 0;)
+        if (!outputs->paths[i].part) rmdir(outputs->paths[i].path);
     outputs_free(outputs);
     ending_release();
 }

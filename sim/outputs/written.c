@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "base/written.h"
+#include "outputs/written.h"
 
-#include <ctype.h>
+#include "base/printable.h"
+
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,7 +18,7 @@ struct line {
 static void put(struct line *line, const char *text)
 {
     for (; *text && line->used + 1 < WRITTEN_B; text++)
-        line->text[line->used++] = iscntrl((unsigned char)*text) ? ' ' : *text;
+        line->text[line->used++] = *text;
     if (*text) memcpy(line->text + WRITTEN_B - 4, "...", 3);
     line->text[line->used] = '\0';
 }
@@ -66,6 +67,7 @@ void written_text(const char *const *paths, size_t count, char text[WRITTEN_B])
         before = ", ";
         i += series;
     }
+    printable(text);
 }
 
 void written_say(const char *text)

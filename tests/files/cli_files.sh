@@ -118,6 +118,80 @@ spares_what_it_reads() {
 }
 tap_check "what a command reads is not written" spares_what_it_reads
 
+# A model of several files. Its textures are read, left out or of no use to the reader, as a bump map is.
+make_house() {
+    printf '%s\n' 'mtllib house.mtl' 'v 0 0 0' 'v 9 0 0' 'v 0 9 0' 'v 0 0 9' 'vt 0 0' 'vt 1 0' 'vt 0 1' 'usemtl a' \
+        'f 1/1 3/3 2/2' 'f 1/1 2/2 4/3' 'f 1/1 4/2 3/3' 'f 2/1 3/2 4/3' >house.obj
+    printf '%s\n' 'newmtl a' 'map_Kd house.png' 'map_d bumps.gif' >house.mtl
+    small -o house.png && small --gif bumps.gif
+    base64=$(printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\77\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\77\0\0\0\0' | tee points.bin | base64 -w 0)
+    [ -n "$base64" ] || return 1
+    cat >points.gltf <<'GLTF'
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"buffers":[{"uri":"points.bin","byteLength":36}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]}
+GLTF
+    echo '3 3 3 0 0 0' >way.cam
+}
+
+# Each line: a file, and a command that would write it under a name which follows.
+spares_a_models_files() { # NAME OF THE OUTPUT, made of the file's by: same, soft, hard, whole
+    make_house || return 1
+    mkdir kept && cp house.* bumps.gif points.* way.cam kept || return 1
+    while read -r file command; do
+        case $1 in
+        same) name=$file ;;
+        whole) name=$PWD/./$file ;;
+        *) name=other_${file##*/} ;;
+        esac
+        [ "$1" != soft ] || ln -s "$file" "$name"
+        [ "$1" != hard ] || ln "$file" "$name"
+        # shellcheck disable=SC2086 # words
+        within "$limner" $command "$name" >../out 2>said && echo "accepted: $command $name" && return 1
+        grep -q '^limner: .*: cannot be written: the same command reads it$' said || { echo "$command $name" && cat said && return 1; }
+        for was in kept/*; do
+            cmp "$was" "${was#kept/}" || { echo "$command $name" && return 1; }
+        done
+        [ -z "$(find . -name '*.part' -o -name '.limner*')" ] || return 1
+        rm -f other_*
+    done <<LIST
+house.png render house.obj --size 64x48 -o
+house.obj render house.obj --size 64x48 --ids
+bumps.gif render house.obj --size 64x48 --gif
+house.png render house.obj --size 64x48 --sheet
+house.mtl render house.obj --size 64x48 --ids
+house.mtl render house.obj --size 64x48 --write-hashes
+house.mtl render house.obj --size 64x48 --write-cameras
+house.png render house.obj --size 64x48 --no-textures -o
+points.bin render points.gltf --size 64x48 --ids
+house.mtl report house.obj --size 64x48 -o
+way.cam report house.obj --size 64x48 --camera way.cam -o
+house.png report-bug house.obj --size 64x48 -o
+LIST
+    rm -r kept house.* bumps.gif points.* way.cam said && is_empty .
+}
+for name in same soft hard whole; do
+    tap_check "what a model names is not written: $name" spares_a_models_files $name
+done
+
+# Names that the command makes are those of a model's files by chance.
+spares_by_made_names() { # FILE COMMAND...: the model names FILE
+    file=$1
+    shift
+    make_house || return 1
+    mkdir -p "$(dirname "$file")" && mv house.mtl "$file" && sed -i "s|house.mtl|$file|" house.obj && cp "$file" before || return 1
+    within "$limner" "$@" >../out 2>said && echo "accepted" && return 1
+    cat said
+    grep -q "^limner: .*$file: cannot be written: the same command reads it\$" said && cmp "$file" before && rm -r ./*
+}
+tap_check "nor by a pattern" spares_by_made_names out/001.png render house.obj --size 64x48 --frames 3 -o 'out/%03d.png'
+tap_check "nor as a scene's header" spares_by_made_names scene.h compile house.obj --no-textures --tree none -o scene
+tap_check "nor as its source" spares_by_made_names scene.c compile house.obj --no-textures --tree none -o scene
+tap_check "nor as its scene" spares_by_made_names scene.lim compile house.obj --no-textures --tree none -o scene
+tap_check "nor as a table" spares_by_made_names out/measure.csv measure house.obj --no-cost --precision fast --size 64x48 -o out
+tap_check "nor as searched cameras" spares_by_made_names best.cam worst house.obj --size 64x48 -o best
+
 # -- Permissions and links -----------------------------------------------------------------------------------------------
 
 has_mode() { # MODE FILE
@@ -233,6 +307,28 @@ for signal in TERM INT; do
         --core m0plus --size 64x48 -o scene
 done
 
+# Nothing can be done at SIGKILL: the next run in that place does it.
+cleans_up_after_a_killed_run() {
+    rm -rf ../running && mkdir ../running && cd ../running || return 1
+    "$limner" render ../rooms.obj --size 64x48 --camera ../long.cam -o 'a/b/%06d.png' --gif a/x.gif --ids x.ids 2>/dev/null &
+    pid=$!
+    wait_for there_is '000100.png.*.part' && kill -9 $pid
+    wait $pid 2>/dev/null
+    there_is '*.part' || { echo "nothing was left" && return 1; }
+    echo mine >a/b/mine.part && small --gif a/y.gif || return 1
+    find . -name '*.part' -o -name '.limner*'
+    [ "$(find . -type f | sort | tr '\n' ' ')" = "./a/b/mine.part ./a/y.gif " ] && cd ../here && rm -r ../running
+}
+tap_check "the next run cleans up after a killed one" cleans_up_after_a_killed_run
+
+leaves_what_a_run_writes() {
+    waits_with_a_file 5 both &
+    wait_for there_is 'both*.part' && small --write-hashes other && there_is 'both*.part' || return 1
+    wait $!
+    [ "$(ls -A)" = other ] && rm other
+}
+tap_check "it leaves what a running one writes" leaves_what_a_run_writes
+
 is_ignored_by_nohup() {
     rm -rf ../running
     mkdir ../running
@@ -311,7 +407,7 @@ tap_check "a GIF beyond the limit on files leaves nothing" refuses_large_files r
     --size 240x240
 tap_check "so do face numbers" refuses_large_files render "$scenes/icosahedron.obj" --ids x.ids --write-hashes h
 tap_check "and a sheet" refuses_large_files render "$scenes/icosahedron.obj" --sheet x.png --gif x.gif
-tap_check "and a compiled scene" refuses_large_files compile "$scenes/rooms.obj" --tree none -o b/scene
+tap_check "and a compiled scene" refuses_large_files compile "$scenes/rooms.obj" --tree none -o b/hall
 
 refuses_full_disk() {
     small --gif /dev/full 2>said && return 1

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The files that a command writes: all of them or none. Each is written beside its place as NAME.RANDOM.part, and
- * takes its place when the command has succeeded; folders are made as needed. A signal that ends the process removes
- * what is not in its place yet (ending.h). A file has the permissions that fopen() would give or leave it; a link in
- * its place stays, and the file that it names is written. */
+ * The files that a command writes: all of them or none. Each is written beside its place as NAME.WORD-NUMBER.part,
+ * and takes its place when the command has succeeded; folders are made as needed. A signal that ends the process
+ * removes what is not in its place yet (ending.h). A file has the permissions that fopen() would give or leave it; a
+ * link in its place stays, and the file that it names is written. */
 #ifndef SIM_OUTPUTS_H
 #define SIM_OUTPUTS_H
 
@@ -13,20 +13,16 @@
 #include <stdio.h>
 
 struct output_path; /* of a file or folder */
+struct output_run;
 
 struct outputs {
     struct output_path *paths; /* in the order of their making */
     size_t count;
-    struct spared_file *spared; /* what is read, and so not written */
-    size_t spared_count;
+    struct output_run *run; /* NULL: nothing is begun */
 };
 
-/* A file that the command reads (NULL: none): outputs_open() refuses it from now on, however its path is spelled. What
- * is not there, or no regular file, is not minded. */
-bool outputs_spare(struct outputs *outputs, const char *path, struct error *err);
-
 /* Begins a file, its folders included; NULL on error. Devices and pipes are opened as they are. A
- * file of which two outputs are named, however its path is spelled, or that is spared, is refused. */
+ * file of which two outputs are named, however its path is spelled, or that has been read (inputs.h), is refused. */
 FILE *outputs_open(struct outputs *outputs, const char *path, struct error *err);
 
 /* Closes a file of outputs_open(); what could not be written is an error. */
@@ -35,6 +31,10 @@ bool outputs_close(FILE *file, const char *path, struct error *err);
 /* Output `index` < count, closed, to be read before it is in its place; *path: where that is, NULL for a folder. NULL:
  * it is one, or cannot be read. */
 FILE *outputs_reread(const struct outputs *outputs, size_t index, const char **path);
+
+/* Refuses to go on if one of the files to be written has been read since it was begun. outputs_keep() asks, too; who
+ * has much to do before that asks early. */
+bool outputs_check(const struct outputs *outputs, struct error *err);
 
 /* Puts every file in its place, says so (written.h) and frees the list. */
 bool outputs_keep(struct outputs *outputs, struct error *err);

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
  * Output files come all or none, numbered names are safe, hash files find the frame that changed. */
-#include "base/outputs.h"
-#include "base/written.h"
+#include "outputs/outputs.h"
+#include "outputs/written.h"
 #include "pictures/hashes.h"
 #include "rigs/cmocka_ready.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static char folder[] = "/tmp/limner-outputs-XXXXXX";
@@ -164,6 +165,41 @@ static void devices_are_written_as_they_are(void **state)
     assert_true(exists("/dev/full"));
 }
 
+static void a_file_keeps_its_permissions(void **state)
+{
+    (void)state;
+    struct error err;
+    struct stat status;
+    for (mode_t mode = 0600; mode <= 0644; mode += 044) {
+        struct outputs outputs = {0};
+        write_text(&outputs, "file", "x");
+        assert_true(outputs_keep(&outputs, &err));
+        assert_int_equal(chmod("file", mode), 0);
+        write_text(&outputs, "file", "y");
+        assert_true(outputs_keep(&outputs, &err));
+        assert_int_equal(stat("file", &status), 0);
+        assert_int_equal(status.st_mode & 0777, mode);
+    }
+    unlink("file");
+}
+
+/* Links of links, in a folder and out of it again. */
+static void what_a_link_names_is_written(void **state)
+{
+    (void)state;
+    struct outputs outputs = {0};
+    struct error err;
+    struct stat status;
+    assert_int_equal(mkdir("a", 0777), 0);
+    assert_true(symlink("a/second", "first") == 0 && symlink("../target", "a/second") == 0);
+    write_text(&outputs, "first", "x");
+    assert_true(outputs_keep(&outputs, &err));
+    assert_text("target", "x");
+    assert_true(lstat("first", &status) == 0 && S_ISLNK(status.st_mode));
+    assert_true(lstat("a/second", &status) == 0 && S_ISLNK(status.st_mode));
+    assert_true(unlink("first") == 0 && unlink("a/second") == 0 && unlink("target") == 0 && rmdir("a") == 0);
+}
+
 /* Numbered names ----------------------------------------------------------------------------- */
 
 static void numbered_names_follow_their_pattern(void **state)
@@ -197,6 +233,8 @@ static void patterns_with_anything_but_one_number_are_refused(void **state)
         char path[64];
         struct error err;
         assert_false(output_pattern_check(patterns[i], &err));
+        assert_non_null(strstr(err.text, patterns[i]));
+        err.text[0] = '\0';
         assert_false(output_pattern_path(patterns[i], 1, path, sizeof path, &err));
         assert_non_null(strstr(err.text, patterns[i]));
     }
@@ -271,6 +309,8 @@ int main(void)
         cmocka_unit_test(discarding_leaves_what_was_there_before),
         cmocka_unit_test(what_cannot_be_written_is_named),
         cmocka_unit_test(devices_are_written_as_they_are),
+        cmocka_unit_test(a_file_keeps_its_permissions),
+        cmocka_unit_test(what_a_link_names_is_written),
         cmocka_unit_test(numbered_names_follow_their_pattern),
         cmocka_unit_test(patterns_with_anything_but_one_number_are_refused),
         cmocka_unit_test(path_that_does_not_fit_is_refused),
