@@ -217,7 +217,7 @@ static int end_frame(struct lim *lim, int err)
 {
     if (LIM_HAS_DELTA && *lim->delta) err = lim_delta_end_frame(*lim->delta, err);
     if (LIM_HAS_STATS) lim_stats_of(&lim->pass)->vertices = lim->pass.view.vertices;
-    return err;
+    return err > 0 ? LIM_ERR_ANSWER : err;
 }
 
 int lim_frame(struct lim *lim, const struct lim_camera *camera)
