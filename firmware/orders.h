@@ -284,9 +284,10 @@ struct lim_painter {
 enum lim_ahead_stage {
     LIM_AHEAD_NONE, /* there is none */
     LIM_AHEAD_BEGUN,
-    LIM_AHEAD_BUSY,     /* in pass one */
-    LIM_AHEAD_DONE,     /* with pass one */
-    LIM_AHEAD_EXHAUSTED /* in pass one: a pool is */
+    LIM_AHEAD_BUSY,      /* in pass one */
+    LIM_AHEAD_DONE,      /* with pass one */
+    LIM_AHEAD_EXHAUSTED, /* in pass one: a pool is */
+    LIM_AHEAD_PAINTING   /* the target's functions are being called */
 };
 
 /* Pass one between two quanta. */

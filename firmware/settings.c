@@ -15,6 +15,8 @@ int lim_begin(const struct lim_memory *memory, const struct lim_scene *scene, en
 {
     struct lim_target target;
 
+    LIM_ASSERT(memory && scene && send);
+    memory->lim->pass.scene = NULL;
     *memory->sender = (struct lim_sender){send, ctx, memory->lines, memory->lines_b, 0};
     const int err = lim_sender_target(memory->sender, memory->w_px, memory->h_px, method, &target);
     return err ? err : lim_init(memory->lim, scene, &target, memory->pools, memory->pools_b);
@@ -23,6 +25,7 @@ int lim_begin(const struct lim_memory *memory, const struct lim_scene *scene, en
 #if LIM_HAS_WIREFRAME
 void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
 {
+    LIM_ASSERT(lim && wireframe);
     lim_drop_ahead(lim);
     *lim->pass.wireframe = *wireframe;
 }
@@ -31,7 +34,7 @@ void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
 #if LIM_HAS_OVERLAY
 void lim_set_overlay(struct lim *lim, const struct lim_overlay *overlay)
 {
-    LIM_ASSERT(!overlay || overlay->draw);
+    LIM_ASSERT(lim && (!overlay || overlay->draw));
     *lim->pass.overlay = overlay;
 }
 #endif
@@ -39,6 +42,7 @@ void lim_set_overlay(struct lim *lim, const struct lim_overlay *overlay)
 #if LIM_HAS_ROUND
 void lim_set_visible(struct lim *lim, lim_visible *visible)
 {
+    LIM_ASSERT(lim);
     lim_drop_ahead(lim);
     lim->pass.target.visible = visible;
 }

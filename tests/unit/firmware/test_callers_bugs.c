@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A caller's bug stops the program at LIM_ASSERT, and does not read through NULL, go on, or never come back. Each is
+ * made in a process of its own, which has to end by the trap that LIM_ASSERT is here. */
+#include "collide.h"
+#include "compiler/compile_mesh.h"
+#include "core/core.h"
+#include "limner.h"
+#include "rigs/cmocka_ready.h"
+#include "rigs/convex_rig.h"
+
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { W_PX = 16, H_PX = 12 };
+
+static struct compiled scene;
+static uint16_t lines[H_PX][W_PX];
+static void *lim; /* of core_fast */
+static uint32_t mem[1 << 16];
+static const struct lim_camera camera = {
+    .eye_q8 = {0, 0, 500 * 256}, .tan_x_q28 = 1 << 28, .tan_y_q28 = 1 << 28, .near_q8 = 256};
+static bool reenters;
+
+static void *lend(void *ctx, uint16_t y_px)
+{
+    (void)ctx;
+    return lines[y_px];
+}
+
+static int done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
+{
+    (void)ctx, (void)y_px, (void)x_px, (void)n_px;
+    if (reenters) (void)core_fast.frame(lim, &camera);
+    return 0;
+}
+
+static struct lim_target target(uint16_t w_px)
+{
+    return (struct lim_target){.w_px = w_px, .h_px = H_PX, .method = LIM_NEAREST_FIRST, .lend = lend, .done = done};
+}
+
+static void begin(void)
+{
+    const struct lim_target usual = target(W_PX);
+
+    assert_int_equal(core_fast.init(lim, &scene.scene, &usual, mem, sizeof mem), LIM_OK);
+}
+
+static void no_renderer(void)
+{
+    (void)core_fast.frame(NULL, &camera);
+}
+
+static void no_camera(void)
+{
+    begin();
+    (void)core_fast.frame(lim, NULL);
+}
+
+static void no_scene(void)
+{
+    const struct lim_target usual = target(W_PX);
+
+    (void)core_fast.init(lim, NULL, &usual, mem, sizeof mem);
+}
+
+static void no_target(void)
+{
+    (void)core_fast.init(lim, &scene.scene, NULL, mem, sizeof mem);
+}
+
+static void no_memory(void)
+{
+    const struct lim_target usual = target(W_PX);
+
+    (void)core_fast.init(lim, &scene.scene, &usual, NULL, 0);
+}
+
+static void frame_before_begin(void)
+{
+    memset(lim, 0, core_fast.lim_b);
+    (void)core_fast.frame(lim, &camera);
+}
+
+/* A renderer that was well before, and was begun again with what cannot be drawn. */
+static void frame_after_failed_begin(void)
+{
+    const struct lim_target none = target(0);
+
+    begin();
+    assert_int_equal(core_fast.init(lim, &scene.scene, &none, mem, sizeof mem), LIM_ERR_TARGET);
+    (void)core_fast.frame(lim, &camera);
+}
+
+static void frame_after_too_little_memory(void)
+{
+    const struct lim_target usual = target(W_PX);
+
+    begin();
+    assert_int_equal(core_fast.init(lim, &scene.scene, &usual, mem, 4), LIM_ERR_MEMORY);
+    (void)core_fast.frame(lim, &camera);
+}
+
+static void frame_from_done(void)
+{
+    begin();
+    reenters = true;
+    (void)core_fast.frame(lim, &camera);
+}
+
+static void frame_ahead_from_done(void)
+{
+    begin();
+    assert_int_equal(core_fast.begin(lim, &camera, NULL, 0), LIM_OK);
+    reenters = true;
+    (void)core_fast.paint(lim);
+}
+
+static void no_camera_to_set(void)
+{
+    assert_int_equal(lim_camera_set_fov(NULL, LIM_DEGREES(60), W_PX, H_PX), LIM_OK);
+}
+
+static void no_wireframe(void)
+{
+    begin();
+    core_fast.set_wireframe(lim, NULL);
+}
+
+static void no_solid(void)
+{
+    assert_int_equal(lim_solid_init(NULL, &scene.scene, mem, sizeof mem), LIM_OK);
+}
+
+static void no_scene_of_a_solid(void)
+{
+    struct lim_solid solid;
+
+    assert_int_equal(lim_solid_init(&solid, NULL, mem, sizeof mem), LIM_OK);
+}
+
+static const struct {
+    const char *name;
+    void (*make)(void);
+} bugs[] = {{"no renderer", no_renderer},
+            {"no camera", no_camera},
+            {"no scene", no_scene},
+            {"no target", no_target},
+            {"no memory", no_memory},
+            {"a frame before begin", frame_before_begin},
+            {"a frame after a failed begin", frame_after_failed_begin},
+            {"a frame after too little memory", frame_after_too_little_memory},
+            {"a frame from done()", frame_from_done},
+            {"a frame from done() of one that was begun", frame_ahead_from_done},
+            {"no camera to set", no_camera_to_set},
+            {"no wireframe", no_wireframe},
+            {"no solid", no_solid},
+            {"no scene of a solid", no_scene_of_a_solid}};
+
+/* The signal that ended a process which did so; 0: none did. */
+static int signal_of(void (*make)(void))
+{
+    int status = 0;
+    const pid_t child = fork();
+
+    assert_true(child >= 0);
+    if (child == 0) {
+        signal(SIGILL, SIG_DFL);
+        signal(SIGTRAP, SIG_DFL);
+        alarm(10);
+        make();
+        _exit(0);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+static void a_trap(void)
+{
+    LIM_ASSERT(false);
+}
+
+static void a_callers_bug_stops_the_program(void **state)
+{
+    const int trap = signal_of(a_trap);
+
+    (void)state;
+    assert_true(trap == SIGILL || trap == SIGTRAP);
+    for (size_t i = 0; i < sizeof bugs / sizeof *bugs; i++)
+        if (signal_of(bugs[i].make) != trap) fail_msg("%s: it does not stop there", bugs[i].name);
+}
+
+/* What the bugs are made with draws, where there is none. */
+static void no_bug_stops_nothing(void **state)
+{
+    (void)state;
+    begin();
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(core_fast.frame(lim, &camera), LIM_OK);
+        assert_int_equal(core_fast.begin(lim, &camera, NULL, 0), LIM_OK);
+        while (core_fast.work(lim))
+            continue;
+        assert_int_equal(core_fast.paint(lim), LIM_OK);
+        assert_int_equal(core_fast.paint(lim), LIM_ERR_BEGIN);
+    }
+}
+
+static int set_up(void **state)
+{
+    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto", .core = &core_fast};
+    struct random random = {802};
+    struct mesh mesh = mesh_rig(200.0);
+    struct error err;
+
+    (void)state;
+    convex_rig_add(&mesh, &random, 3);
+    if (!compile_mesh(&mesh, &options, &scene, &err)) fail_msg("%s", err.text);
+    mesh_rig_free(&mesh);
+    lim = calloc(1, core_fast.lim_b);
+    return lim ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    free(lim);
+    compiled_free(&scene);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_callers_bug_stops_the_program),
+        cmocka_unit_test(no_bug_stops_nothing),
+    };
+
+    return cmocka_run_group_tests_name("callers_bugs", tests, set_up, tear_down);
+}
