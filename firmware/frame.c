@@ -29,6 +29,7 @@ static bool method_is_linked(enum lim_method method)
 
 static size_t asked_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
+    LIM_ASSERT(scene && target);
     if (LIM_IS_MESH(target)) return lim_mesh_mem_b(scene, target, least);
     if (LIM_IS_CONVEX(target)) return lim_convex_mem_b(scene, target, least ? 0 : scene->limits.active);
     if (LIM_IS_PAINTER(target)) return lim_painter_mem_b(scene);
@@ -255,16 +256,16 @@ static bool is_whole_at_once(const struct lim *lim)
 
 bool lim_frame_work(struct lim *lim)
 {
+    LIM_ASSERT(lim && lim->ahead.stage != LIM_AHEAD_PAINTING);
     if (!LIM_HAS_SPANS || lim->ahead.stage == LIM_AHEAD_NONE || is_whole_at_once(lim)) return false;
     return lim_nearest_work(lim->nearest, &lim->ahead.stage);
 }
 
 int lim_frame_paint(struct lim *lim)
 {
+    LIM_ASSERT(lim && lim->ahead.stage != LIM_AHEAD_PAINTING);
     enum lim_ahead_stage stage = lim->ahead.stage;
-
     if (stage == LIM_AHEAD_NONE) return LIM_ERR_BEGIN;
-    LIM_ASSERT(stage != LIM_AHEAD_PAINTING);
     if (LIM_HAS_DELTA) begin_changes(lim, lim->ahead.camera);
     lim->ahead.stage = LIM_AHEAD_PAINTING;
     const int err = !LIM_HAS_SPANS || is_whole_at_once(lim) ? draw_frame(lim) : lim_nearest_paint(lim->nearest, &stage);
@@ -275,6 +276,7 @@ int lim_frame_paint(struct lim *lim)
 #if LIM_HAS_MOVERS
 static void set_instances(struct lim_movers *movers, const struct lim_instance *instances, uint16_t count)
 {
+    LIM_ASSERT(instances || !count);
     movers->instances = instances;
     movers->count = count < movers->most ? count : movers->most;
     movers->given = count;
@@ -303,6 +305,7 @@ int lim_movers_begin(struct lim *lim, const struct lim_camera *camera, const str
 
 uint32_t lim_bands(const struct lim *lim)
 {
+    LIM_ASSERT(lim);
     if (LIM_IS_MESH(&lim->pass.target)) return lim->mesh->parts;
     return LIM_HAS_SPANS ? lim->nearest->bands : 0;
 }
@@ -311,5 +314,6 @@ const struct lim_stats *lim_stats(const struct lim *lim)
 {
     static const struct lim_stats none = {0};
 
+    LIM_ASSERT(lim);
     return LIM_HAS_STATS ? lim->pass.stats : &none;
 }

@@ -427,7 +427,7 @@ LIM_OPTIONAL_BEGIN
 
 /* An object in its place. In a scene of many scales long.h has the bounds. */
 struct lim_instance {
-    const struct lim_scene *object; /* NULL, or without polygons: it is left out, and counted */
+    const struct lim_scene *object; /* of 16 bits; NULL, or without polygons: it is left out, and counted */
     int32_t at_q8[3];               /* its origin, units of the scene that it moves in, |at_q8| < 2^24 */
     /* Its x, y and z axis in that scene's axes, one after the other: of length 1, at right angles. */
     int32_t axes_q30[9];

@@ -345,6 +345,7 @@ static bool is_usable(const struct lim_movers *movers, const struct lim_instance
 
     const bool is_far = LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers); /* then these are asked by its POSE */
 
+    LIM_ASSERT(!object || !lim_scene_long(object)); /* what moves has 16 bits, in any scene */
     if (!object || !object->node_count || !object->polygon_count || (!is_far && instance->finer_bits > FINER_BITS_MAX))
         return false;
     for (uint_fast8_t i = 0; i < 3 && !is_far; i++)
