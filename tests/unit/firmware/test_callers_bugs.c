@@ -145,21 +145,6 @@ static void no_scene_of_a_solid(void)
     assert_int_equal(lim_solid_init(&solid, NULL, mem, sizeof mem), LIM_OK);
 }
 
-/* An object whose coordinates have 32 bits, in a scene of 16. */
-static void object_of_other_coordinates(void)
-{
-    static const struct lim_long of_32_bits;
-    static uint64_t movers_mem[1 << 13];
-    struct lim_scene object = scene.scene;
-    const struct lim_movers_limits limits = {.instances = 1, .depth = object.limits.depth, .entries = 1000};
-    const struct lim_instance instance = {.object = &object, .axes_q30 = {1 << 30, 0, 0, 0, 1 << 30, 0, 0, 0, 1 << 30}};
-
-    begin();
-    assert_int_equal(core_fast.movers_init(lim, movers_mem, sizeof movers_mem, &limits), LIM_OK);
-    *object.of_32_bits = &of_32_bits;
-    (void)core_fast.movers_frame(lim, &camera, &instance, 1);
-}
-
 static void work_from_done(void)
 {
     begin();
@@ -358,7 +343,6 @@ static const struct {
             {"a frame after too little memory", frame_after_too_little_memory},
             {"a frame from done()", frame_from_done},
             {"a frame from done() of one that was begun", frame_ahead_from_done},
-            {"an object of other coordinates", object_of_other_coordinates},
             {"no camera to set", no_camera_to_set},
             {"no wireframe", no_wireframe},
             {"no solid", no_solid},
