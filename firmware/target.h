@@ -30,9 +30,9 @@ enum lim_format {
 
 /* A constant colour as the target's memory holds it: lim_memory_colour(). */
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)((rgb565) << 8 | (rgb565) >> 8))
+#define LIM_MEMORY_COLOUR(rgb565) LIM_CAST(uint16_t, (rgb565) << 8 | (rgb565) >> 8)
 #else
-#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)(rgb565))
+#define LIM_MEMORY_COLOUR(rgb565) LIM_CAST(uint16_t, rgb565)
 #endif
 
 enum lim_method {

@@ -151,10 +151,7 @@ static LIM_HOT_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_s
             extent = (struct extent){open.gap.x0, open.gap.x1};
         }
         stop->y = at;
-        if (!flat_activate(paint, spans, retained, line->retained, at)) {
-            stop->exhausted = LIM_PAINT_ACTIVE;
-            return 0;
-        }
+        if (!flat_activate(paint, spans, retained, line->retained, at)) return lim_paint_stops(stop, LIM_PAINT_ACTIVE);
         err = flat_paint_line(paint, spans, &line->gap, retained, extent, reach, at, stats);
         if (err) break;
     }
@@ -187,7 +184,7 @@ int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct
     const bool from_0 = !LIM_OPTIMISE_SIZE && !band->x0 && !lim_target_is_round(target);
 
     lim_actives_start(&paint->actives, spans);
-    if (from_0 && LIM_SUB_BITS && !retained->overhangs && band->x1 == target->w_px)
+    if (from_0 && LIM_SUB_BITS > 0 && !retained->overhangs && band->x1 == target->w_px)
         return paint_within(paint, spans, retained, band, stop, stats);
     if (from_0) return paint_overhanging(paint, spans, retained, band, stop, stats);
     return flat_paint_lines(paint, spans, retained, band, ANYWHERE, stop, stats);

@@ -295,8 +295,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
     if (LIM_HAS_TRANSPARENT && !lim_layers_finish(paint->layers, sink.line, stats)) {
         *paint->lent = sink.line;
-        stop->exhausted = LIM_PAINT_LAYERS;
-        return 0;
+        return lim_paint_stops(stop, LIM_PAINT_LAYERS);
     }
     lim_overlay_line(paint->pass, sink.line, y, x0, x1);
     return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
@@ -320,10 +319,8 @@ int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struc
     if (is_flat(paint, retained)) return lim_flat_band(paint, spans, retained, band, stop);
     lim_actives_start(&paint->actives, spans);
     for (stop->y = band->y0; stop->y < band->y1; stop->y++) {
-        if (!activate_line(paint, spans, retained, spans->lines[stop->y].retained, stop->y)) {
-            stop->exhausted = LIM_PAINT_ACTIVE;
-            return 0;
-        }
+        if (!activate_line(paint, spans, retained, spans->lines[stop->y].retained, stop->y))
+            return lim_paint_stops(stop, LIM_PAINT_ACTIVE);
         const int err = paint_line(paint, spans, retained, band, stop);
         if (err || stop->exhausted) return err;
     }

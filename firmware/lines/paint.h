@@ -22,6 +22,12 @@ struct lim_paint_stop {
     enum lim_paint_pool exhausted;
 };
 
+static inline int lim_paint_stops(struct lim_paint_stop *stop, enum lim_paint_pool exhausted)
+{
+    stop->exhausted = exhausted;
+    return 0;
+}
+
 /* Paints the lines of `band` until it is done, a pool is exhausted or the target returns another number than 0, which
  * comes back. stop->exhausted is LIM_PAINT_FITS before. The pool of gaps is used up. */
 LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,

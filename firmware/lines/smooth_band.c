@@ -150,8 +150,7 @@ static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const s
     smooth_background(paint, spans, &open, &sink);
     if (LIM_HAS_TRANSPARENT && !lim_layers_finish(paint->layers, sink.line, stats)) {
         *paint->lent = sink.line;
-        stop->exhausted = LIM_PAINT_LAYERS;
-        return 0;
+        return lim_paint_stops(stop, LIM_PAINT_LAYERS);
     }
     lim_overlay_line(paint->pass, sink.line, y, x0, x1);
     return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
@@ -191,8 +190,7 @@ int lim_smooth_band(struct lim_paint *paint, struct lim_spans *spans, const stru
         if (err || stop->exhausted) return err;
         stop->y = (uint16_t)(stop->y + lines);
     }
-    if (!fits) stop->exhausted = LIM_PAINT_ACTIVE;
-    return 0;
+    return lim_paint_stops(stop, fits ? LIM_PAINT_FITS : LIM_PAINT_ACTIVE);
 }
 
 #endif

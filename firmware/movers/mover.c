@@ -222,7 +222,7 @@ struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
     struct lim_view *view = &movers->movers[mover].view;
 
     if (movers->cached != mover) {
-        uint_fast16_t filled = LIM_VIEW_CACHE_ENTRIES; /* the entry of a vertex is its number, modulo that */
+        lim_index filled = LIM_VIEW_CACHE_ENTRIES; /* the entry of a vertex is its number, modulo that */
         if (movers->cached != LIM_NONE && movers->instances[movers->cached].object->vertex_count < filled)
             filled = movers->instances[movers->cached].object->vertex_count;
         while (filled)
@@ -239,7 +239,7 @@ static struct lim_box movers_box_of(const struct lim_instance *instance)
     const struct lim_scene *object = instance->object;
     const lim_index root = lim_deforms(instance) ? (lim_index)LIM_NO_INDEX : object->nodes[0].box;
     int32_t low[3], high[3];
-    struct lim_box box;
+    struct lim_box box = {.half = {0}};
 
     if (root != LIM_NO_INDEX) return object->boxes[root];
     for (uint_fast8_t i = 0; i < 3; i++)
