@@ -56,7 +56,7 @@ packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr av
 packages-export        := g++ cmake arduino-builder arduino-core-avr gcc-avr avr-libc libsimavr-dev libelf-dev gcc-riscv64-unknown-elf \
 	qemu-system-misc $(packages-arm)
 packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc g++ clang
-packages-compilers     := clang
+packages-compilers     := g++ clang gcc-arm-none-eabi gcc-riscv64-unknown-elf
 packages-sanitize      := $(packages-host)
 packages-models        := assimp-testmodels
 packages-brought       := python3 python3-numpy python3-pil $(packages-models)
@@ -358,7 +358,7 @@ suite-cpus      := $(wildcard tests/cpus/cpus_*.sh)
 suite-boards    := $(wildcard tests/boards/boards_*.sh)
 suite-export    := $(wildcard tests/export/export_*.sh tests/adapters/adapters_*.sh)
 suite-cross     := tests/cross.sh tests/cross_cplusplus.sh
-suite-compilers := tests/compilers.sh
+suite-compilers := tests/compilers.sh tests/users_warnings.sh
 suite-sanitize  := $(wildcard tests/sanitize*.sh)
 suite-models    := tests/models.sh
 suite-brought   := $(wildcard tests/brought/brought_*.sh)

@@ -163,6 +163,18 @@ static void what_is_chosen_or_changes_nothing_is_told(void **state)
                         "limner: note: --reset: ls013b7dh03 has no reset pin; nothing changes\n");
 }
 
+/* Only its supply would put it out: that is told, and is no failure. */
+static void a_memory_lcd_without_its_pin_of_display_plays(void **state)
+{
+    (void)state;
+    const struct display_module memory_lcd = {.w_px = 128, .h_px = 128};
+    char *argv[] = {"play",        "--panel",  "ls013b7dh03", "--spi", "/dev/spidev0.0", "--select", "GPIO2",
+                    "--test-card", "--frames", "1",           NULL};
+    plug_in("ls013b7dh03", &memory_lcd);
+    assert_int_equal(cmd_play(10, argv), 0);
+    assert_true(fake_is_clean());
+}
+
 static void a_turned_display_shows_it_turned(void **state)
 {
     (void)state;
@@ -336,7 +348,7 @@ static void what_fails_again_and_again_is_given_up(void **state)
     start_player(3);
     rig.bad = PLAYER_FAILURES_MAX;
     assert_false(player_run(&rig.player, &err));
-    assert_string_equal(err.text, "frame 1: the panel's driver failed with -121; given up after 10 failures in a row");
+    assert_string_equal(err.text, "frame 1: Remote I/O error (-121); given up after 10 failures in a row");
     assert_int_equal(rig.count, 0);
     assert_true(glass.chip.dcs.asleep); /* all the same */
 }
@@ -483,6 +495,7 @@ int main(void)
         cmocka_unit_test(the_display_shows_what_the_simulator_does),
         cmocka_unit_test(the_mode_of_spi_is_the_modules_unless_it_is_given),
         cmocka_unit_test(what_is_chosen_or_changes_nothing_is_told),
+        cmocka_unit_test(a_memory_lcd_without_its_pin_of_display_plays),
         cmocka_unit_test(a_turned_display_shows_it_turned),
         cmocka_unit_test(the_card_is_right_in_all_rotations),
         cmocka_unit_test(a_scene_is_turned_by_the_camera_where_the_chip_cannot),
