@@ -7,7 +7,7 @@
 
 #include "model/mesh.h"
 #include "scene/plane.h"
-#include "trees/layers.h"
+#include "trees/plane_layers.h"
 
 struct coplanar {
     struct plane *planes; /* of the groups */

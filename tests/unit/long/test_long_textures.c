@@ -234,8 +234,8 @@ static void open_stage(struct stage *stage, const struct world *world, const str
     struct error err;
 
     *stage = (struct stage){.world = world, .core = core};
-    if (!coordinates_clean(&world->model, &options, &stage->mesh, &err) || !mesh_insert_t_vertices(&stage->mesh, &err) ||
-        !compile_mesh(&stage->mesh, &options, &stage->scene, &err))
+    if (!coordinates_clean(&world->model, &options, &stage->mesh, &err) ||
+        !mesh_insert_t_vertices(&stage->mesh, &err) || !compile_mesh(&stage->mesh, &options, &stage->scene, &err))
         fail_msg("%s", err.text);
     assert_int_equal(stage->scene.grid.is_long, coordinates == COORDINATES_32);
 }

@@ -94,8 +94,7 @@ static void a_box_below_a_unit_is_refused_and_named(void **state)
     expect_refused(&model, &core_fast, "face 2 (0.4 m), 3 (0.4 m), 4 (0.4 m) ...: 6 of 7 faces would vanish");
     model = floor_model();
     add_box(&model, 10.2, 0.4);
-    expect_refused(&model, &core_fast,
-                   "units of 1 m; take --coordinates 32, or leave it out by --drop-small");
+    expect_refused(&model, &core_fast, "units of 1 m; take --coordinates 32, or leave it out by --drop-small");
 }
 
 static void a_box_that_stays_but_loses_its_shape_is_refused(void **state)

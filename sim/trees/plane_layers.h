@@ -3,8 +3,8 @@
  * Which polygons lie over which where several share a plane, or nearly: sheets, decals, posters. A tree takes what is
  * within its tolerance of one plane for one plane. Here the file's own corners, unwelded and unrounded, say which of
  * two is nearer to an eye; of two in one plane the later in the file lies over the earlier, seen from either side. */
-#ifndef SIM_LAYERS_H
-#define SIM_LAYERS_H
+#ifndef SIM_PLANE_LAYERS_H
+#define SIM_PLANE_LAYERS_H
 
 #include "model/mesh.h"
 

@@ -3,7 +3,7 @@
  * Bounds are swept along the axis on which the model is longest. Of a pair that may overlap the outlines are compared
  * as the first one's normal sees them. Over a common part either plane is a linear function, so its corners tell how
  * far apart they are. */
-#include "trees/layers.h"
+#include "trees/plane_layers.h"
 
 #include "base/deadline.h"
 #include "base/grow.h"
