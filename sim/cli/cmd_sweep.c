@@ -6,11 +6,8 @@
 #include "base/grow.h"
 #include "cli/commands.h"
 #include "measure/measure_request.h"
-<<<<<<< HEAD
 #include "measure/sweep_results.h"
-    =======
 #include "outputs/outputs.h"
-    >>>>>>> bb8b039a (sim/outputs: what a command writes has a room)
 
 #include <errno.h>
 #include <stdio.h>
@@ -18,12 +15,7 @@
 #include <string.h>
 #include <unistd.h>
 
-    enum {
-        PATH_MAX_B = 1024,
-        SETTINGS_MAX = 64,
-        WORD_B = 32,
-        MORE_WORDS = 8
-    };
+enum { PATH_MAX_B = 1024, SETTINGS_MAX = 64, WORD_B = 32, MORE_WORDS = 8 };
 static const char PROFILES[] = "draft,fast,fine,exact", METHOD_AUTO[] = "auto";
 
 struct sweeping {
