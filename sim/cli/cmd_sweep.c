@@ -6,8 +6,8 @@
 #include "base/grow.h"
 #include "base/outputs.h"
 #include "cli/commands.h"
-#include "cli/sweep_results.h"
 #include "measure/measure_request.h"
+#include "measure/sweep_results.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -73,7 +73,9 @@ static bool parse(struct sweeping *sweeping, struct arguments *arguments, struct
     const char *precisions = PROFILES, *listed = METHOD_AUTO;
     int words_from;
     if (!arguments_value(arguments, "--precision", &precisions, err) ||
-        !arguments_value(arguments, "--method", &listed, err) || !take_folder(arguments, &sweeping->folder, err) ||
+        !arguments_value(arguments, "--method", &listed, err) ||
+        !measure_request_order(arguments->count, arguments->items, &words_from, err) ||
+        !take_folder(arguments, &sweeping->folder, err) ||
         !parse_list("--precision", precisions, sweeping->precisions, &sweeping->precision_count, err) ||
         !parse_list("--method", listed, sweeping->methods, &sweeping->method_count, err) ||
         !measure_request_order(arguments->count, arguments->items, &words_from, err))

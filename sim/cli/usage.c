@@ -262,7 +262,7 @@ static const struct usage_entry ENTRIES[] = {
     {MEASURE | ALONE,
      "  --result FILE       its figures in one file, for `limner sweep --merge`, with hashes of all that was read\n"},
     {0, "sweep, which takes what measure takes, but for --result, for all of its jobs:\n"},
-    {SWEEP | ALONE,
+    {SWEEP,
      "  -o DIR              jobs, one a line, slurm.sh, which makes an array of them, and results.list\n"
      "  --precision LIST    names, divided by commas (the four profiles)\n"
      "  --method LIST       names, divided by commas; auto: what compile chooses (auto)\n"

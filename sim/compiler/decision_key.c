@@ -126,6 +126,7 @@ static void add_mesh(struct bytes *bytes, const struct mesh *mesh)
     add_original(bytes, mesh->original);
     add_number(bytes, mesh->is_interior);
     add_array(bytes, &mesh->counts, 1, sizeof mesh->counts);
+    add_array(bytes, mesh->pieces, mesh->piece_count, sizeof *mesh->pieces);
     add_array(bytes, mesh->merged_into, mesh->merged_into ? mesh->counts.faces + 1 : 0, sizeof *mesh->merged_into);
 }
 

@@ -511,4 +511,9 @@ void faithful_note(const struct compiled *scene)
     if (scene->report.left_out)
         notice("--drop-small left out %zu of %zu faces, too small for the grid", scene->report.left_out,
                scene->report.mesh.faces);
+    if (scene->report.covered)
+        notice(
+            "%zu faces are covered, in part or whole, by later faces of the file in the same plane: the later one is "
+            "drawn over the earlier; move them apart for another order",
+            scene->report.covered);
 }

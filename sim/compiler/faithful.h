@@ -34,7 +34,7 @@ bool faithful_wants_finer(const struct mesh *mesh, const struct compile_options 
 bool faithful_compile(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                       struct error *err);
 
-/* Says on standard error what --drop-small left out of a scene, if anything. */
+/* Says on standard error what --drop-small left out of a scene, and what faces in one plane cover, if anything. */
 void faithful_note(const struct compiled *scene);
 
 #endif

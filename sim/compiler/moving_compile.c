@@ -190,6 +190,7 @@ static struct note *add_note(struct compile_report *report)
     return &report->notes[report->note_count++];
 }
 
+/* What of an object is not seen as its file has it. */
 static void note_left_out(const struct moving_object *object, struct compile_report *report)
 {
     const struct compile_report *own = &object->scene.report;
@@ -197,6 +198,10 @@ static void note_left_out(const struct moving_object *object, struct compile_rep
         snprintf(add_note(report)->text, sizeof report->notes->text,
                  "object '%s': --drop-small left out %zu of %zu faces, too small for the grid", object->name,
                  own->left_out, own->mesh.faces);
+    if (own->covered)
+        snprintf(add_note(report)->text, sizeof report->notes->text,
+                 "object '%s': %zu faces are covered by later faces of the file in the same plane", object->name,
+                 own->covered);
 }
 
 /* What moves has the mean colours of its pictures: it is lit in each frame, or there are too many. */

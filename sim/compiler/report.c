@@ -148,6 +148,7 @@ static void print_tree(const struct compiled *scene)
     print_count("polygons before splitting", report->polygons_in);
     if (report->tree != TREE_MESH) print_count("splits", report->splits);
     if (report->left_out) print_count("left out, too small", report->left_out);
+    if (report->covered) print_count("covered by a later, coplanar", report->covered);
     if (report->collapsed) print_count("pieces rounded to nothing", report->collapsed);
     print_count("polygons in the scene", report->polygons_out);
     print_transparent(scene);

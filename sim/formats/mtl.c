@@ -228,12 +228,32 @@ static bool is_black(const struct mtl_material *material)
     return true;
 }
 
+const struct mtl_map *mtl_map_of(const struct mtl_material *material)
+{
+    for (int kind = 0; kind < MTL_PICTURES; kind++)
+        if (material->maps[kind].name) return &material->maps[kind];
+    return NULL;
+}
+
+/* All pictures of a material are seen by the same coordinates. */
+static void settle_places(struct mtl *mtl, const struct mtl_material *material)
+{
+    const struct mtl_map *first = mtl_map_of(material);
+    for (int kind = 0; kind < MTL_PICTURES; kind++) {
+        const struct mtl_map *map = &material->maps[kind];
+        if (!map->name) continue;
+        if (memcmp(map->scale, first->scale, sizeof map->scale) != 0) names_add(&mtl->options, "-s", 2);
+        if (memcmp(map->offset, first->offset, sizeof map->offset) != 0) names_add(&mtl->options, "-o", 2);
+    }
+}
+
 void mtl_settle(struct mtl *mtl)
 {
     const bool is_opacity = is_meshlabs(mtl);
     for (size_t i = 0; i < mtl->count; i++) {
         struct mtl_material *material = &mtl->materials[i];
         settle_opacity(mtl, material, is_opacity);
+        settle_places(mtl, material);
         if (!material->maps[MTL_COLOUR].name) continue;
         if (is_black(material)) add_name(&mtl->black, material);
         for (int k = 0; k < 3 && !material->colour[k].is_set; k++)

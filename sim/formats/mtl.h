@@ -58,6 +58,9 @@ bool mtl_read(struct mtl *mtl, const char *path, const char *bytes, size_t size_
 /* When all files are read: says what Tr means. */
 void mtl_settle(struct mtl *mtl);
 
+/* The picture whose part a material shows; NULL: it has none. */
+const struct mtl_map *mtl_map_of(const struct mtl_material *material);
+
 /* NULL: no file defines it. */
 const struct mtl_material *mtl_find(const struct mtl *mtl, const char *name, size_t length);
 void mtl_free(struct mtl *mtl);

@@ -81,6 +81,8 @@ static bool has_option(enum measure_of of, int code)
     case OPTION_METHOD:
     case COMPILE_TREE:
     case COMPILE_MESH_LEAVES:
+    case COMPILE_PORTALS:
+        return of != MEASURE_METHODS;
     case OPTION_SUB_BITS:
     case OPTION_RESULT:
     case OPTION_OPTIMISE:

@@ -172,7 +172,7 @@ static double said(double number)
 /* The part of its picture that a material shows. */
 static void change_uv(const struct import *import, double uv[2])
 {
-    const struct mtl_map *map = import->pictures.own ? &import->pictures.own->maps[MTL_COLOUR] : NULL;
+    const struct mtl_map *map = import->pictures.own ? mtl_map_of(import->pictures.own) : NULL;
     for (int i = 0; map && i < 2; i++)
         uv[i] = uv[i] * map->scale[i] + map->offset[i];
 }

@@ -84,6 +84,12 @@ static void options_are_no_part_of_a_name(void **state)
                    "newmtl 1\nmap_Ke -clamp on x.png\nmap_d z.png\n\n");
     assert_told(&obj.mtl.options, "'-what', '-ever', '-so', '-x'", 4);
     assert_becomes("newmtl a\nmap_Kd -1.png\nmap_d -s 3 2\n", "newmtl 1\nKd 1 1 1\nmap_Kd ./-1.png\nmap_d 2\n\n");
+    assert_becomes("newmtl a\nmap_Kd -s 2 a.png\nmap_d -o .5 b.png\n",
+                   "newmtl 1\nKd 1 1 1\nmap_Kd a.png\nmap_d b.png\n\n");
+    assert_told(&obj.mtl.options, "'-s', '-o'", 2);
+    assert_becomes("newmtl a\nmap_Ke -s 2 a.png\n", "newmtl 1\nmap_Ke a.png\n\n");
+    assert_true(mtl_map_of(&obj.mtl.materials[0])->scale[0] == 2);
+    assert_int_equal(obj.mtl.options.mentions, 0);
     assert_becomes("newmtl a\nmap_Kd\nmap_Kd  \n", "newmtl 1\n\n");
     assert_becomes("newmtl a\nmap_Kd a.png # red\nmap_d a #1.png\n",
                    "newmtl 1\nKd 1 1 1\nmap_Kd a.png\nmap_d a #1.png\n\n");

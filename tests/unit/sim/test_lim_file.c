@@ -66,6 +66,9 @@ static void assert_unreadable(const char *reason)
     if (!strstr(err.text, reason)) fail_msg("'%s' lacks '%s'", err.text, reason);
 }
 
+/* firmware/SCENE.md: the header's last field, which is in files alone. */
+enum { DRAWN_BY_B = 148, HEADER_B = 152 };
+
 static void what_is_written_is_read(void **state)
 {
     (void)state;
@@ -75,7 +78,10 @@ static void what_is_written_is_read(void **state)
     if (!lim_file_read(path, &read, &err)) fail_msg("%s", err.text);
     assert_int_equal(read.image_b, scene.image_b);
     assert_memory_equal((char *)read.image + LIM_FILE_CRC_FROM_B, (char *)scene.image + LIM_FILE_CRC_FROM_B,
-                        scene.image_b - LIM_FILE_CRC_FROM_B);
+                        DRAWN_BY_B - LIM_FILE_CRC_FROM_B);
+    assert_memory_equal((char *)read.image + HEADER_B, (char *)scene.image + HEADER_B, scene.image_b - HEADER_B);
+    assert_int_equal(((char *)read.image)[DRAWN_BY_B], 1 + scene.report.draws);
+    assert_int_equal(read.report.draws, scene.report.draws);
     assert_int_equal(read.scene.node_count, scene.scene.node_count);
     assert_memory_equal(&read.scene.limits, &scene.scene.limits, sizeof read.scene.limits);
     assert_memory_equal(read.faces, scene.faces, scene.scene.polygon_count * sizeof *read.faces);

@@ -11,7 +11,7 @@
  *
  * Margins. What is drawn is rounded. Openings are widened by what that can move, an angle on the screen included, times
  * the distance; once, so that it does not add up from opening to opening. */
-#include "compiler/flow.h"
+#include "portals/flow.h"
 
 #include "base/deadline.h"
 #include "base/grow.h"

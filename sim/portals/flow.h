@@ -5,7 +5,7 @@
 #ifndef SIM_FLOW_H
 #define SIM_FLOW_H
 
-#include "compiler/zones.h"
+#include "portals/zones.h"
 
 struct flow {
     const struct cells *cells;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The list says which results there have to be, and in which order they are joined. */
-#include "cli/sweep_results.h"
+#include "measure/sweep_results.h"
 
 #include "base/child.h"
 #include "base/input_file.h"

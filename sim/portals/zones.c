@@ -4,7 +4,7 @@
  * volume, as the halves of a room have that a table's plane divides, not rooms with a door between. The widest come
  * first. Sums of areas, open both ways, are kept by pairs of zones, found anew in each round; each round joins every
  * pair that is the best for both. */
-#include "compiler/zones.h"
+#include "portals/zones.h"
 
 #include "base/grow.h"
 

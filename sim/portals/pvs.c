@@ -2,11 +2,11 @@
  *
  * Zones whose visible sets are alike share one, which shows what either shows: as long as the bytes saved are worth
  * more than the polygons that are reached in vain, by the zones' volumes. */
-#include "compiler/pvs.h"
+#include "portals/pvs.h"
 
 #include "base/deadline.h"
 #include "base/grow.h"
-#include "compiler/flow.h"
+#include "portals/flow.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
  * cells that a part of it lies between are neighbours, through what is left of that part when the polygons of the
  * node that face the one side are taken out. What remains along a polygon's edge and is thinner than rounding
  * explains is no opening: there the polygon ends at another one, with which it shares that edge. */
-#include "compiler/cells.h"
+#include "portals/cells.h"
 
 #include "base/deadline.h"
 #include "base/grow.h"

@@ -3,7 +3,7 @@
  * The ESP32-C3's RAM begins where its cache's ends, and ends for an image where the ROM's buffers for a download begin
  * (espressif/esp-idf components/bootloader/subproject/main/ld/esp32c3/bootloader.memory.ld.in). The header tells the
  * ROM to read flash by two lines, at 40 MHz: its slower rate that images usually have. */
-#include "cli/esp_image.h"
+#include "export/esp_image.h"
 
 #include "base/sha256.h"
 

@@ -5,7 +5,7 @@
 #ifndef SIM_ZONES_H
 #define SIM_ZONES_H
 
-#include "compiler/cells.h"
+#include "portals/cells.h"
 
 #define ZONE_NONE UINT32_MAX
 

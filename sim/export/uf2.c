@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/uf2.h"
+#include "export/uf2.h"
 
 #include <string.h>
 

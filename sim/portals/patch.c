@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Clipping is Sutherland and Hodgman's, the hull Andrew's monotone chain in the plane's two longest axes. */
-#include "compiler/patch.h"
+#include "portals/patch.h"
 
 #include "base/grow.h"
 #include "base/vec3.h"

@@ -7,7 +7,7 @@
 #define SIM_CELLS_H
 
 #include "base/error.h"
-#include "compiler/patch.h"
+#include "portals/patch.h"
 #include "scene.h"
 
 #include <stdint.h>
