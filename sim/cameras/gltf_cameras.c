@@ -4,8 +4,8 @@
 #include "base/grow.h"
 #include "base/notice.h"
 #include "base/vec3.h"
-#include "model/model_orientation.h"
 #include "gltf/gltf_file.h"
+#include "model/model_orientation.h"
 #include "readers/node_transforms.h"
 
 #include <math.h>

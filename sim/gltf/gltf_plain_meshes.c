@@ -52,7 +52,7 @@ static size_t write_floats(struct meshes *meshes, const struct gltf_array *from,
 /* What stands for positions, in their place. */
 static bool stand_in(struct meshes *meshes, struct gltf_array *positions)
 {
-    struct vertex_table *table = &meshes->work->plain->table;
+    struct vertex_table *table = meshes->work->table;
     if (positions->count > VERTEX_TABLE_MOST - table->count)
         return error_set(meshes->work->err, "%s: more than %d vertices", meshes->work->path, VERTEX_TABLE_MOST);
     for (size_t i = 0; i < positions->count; i++) {
@@ -93,7 +93,7 @@ static size_t reach_of(const struct gltf_array *indices)
 static bool write_positions(struct meshes *meshes, size_t accessor, struct gltf_array *list, size_t *out)
 {
     if (!read_list(meshes, accessor, "POSITION", 3, list)) return false;
-    meshes->work->plain->is_float32 |= is_float(meshes->work, accessor);
+    *meshes->work->is_float32 |= is_float(meshes->work, accessor);
     if (!meshes->is_packed && !stand_in(meshes, list)) return false;
     *out = write_floats(meshes, list, 3);
     return true;
@@ -284,7 +284,7 @@ static bool add_packed(struct meshes *meshes, const json_t *primitive, json_t *t
     const size_t copy = gltf_output_view(&work->out, work->buffers.items[buffer].bytes + start_b, size_b);
     json_object_set_new(to, "extensions",
                         json_pack("{s:{s:I, s:o}}", DRACO, "bufferView", (json_int_t)copy, "attributes", packed));
-    work->plain->is_float32 = true;
+    *work->is_float32 = true;
     return true;
 }
 

@@ -7,7 +7,7 @@
 
 #include "gltf/gltf_numbers.h"
 #include "gltf/gltf_output.h"
-#include "gltf/gltf_plain.h"
+#include "gltf/vertex_table.h"
 #include "model/model.h"
 
 /* Which coordinates a texture is seen by: KHR_texture_transform's turn, scale and offset of one of the sets. */
@@ -32,7 +32,8 @@ struct gltf_work {
     struct gltf_output out;
     struct gltf_look *looks; /* of each material */
     size_t look_count;
-    struct gltf_plain *plain;
+    struct vertex_table *table; /* of positions */
+    bool *is_float32;           /* whether some of these are so in the file */
     struct model *model;
     struct error *err;
 };

@@ -4,9 +4,9 @@
  * that differ look alike, not even in the shade. */
 #include "model/baked_light.h"
 
+#include "base/srgb.h"
 #include "base/vec3.h"
 #include "model/mono_tones.h"
-#include "model/srgb.h"
 
 #include <math.h>
 

@@ -4,9 +4,9 @@
  * materials) is encoded as sRGB after all arithmetic. */
 #include "model/model_colour.h"
 
+#include "base/srgb.h"
 #include "model/mean_colour.h"
 #include "model/model.h"
-#include "model/srgb.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>

@@ -4,8 +4,8 @@
  * often as the faces that show it are large, with all of its texels. */
 #include "model/mono_tones.h"
 
+#include "base/srgb.h"
 #include "base/vec3.h"
-#include "model/srgb.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,7 +2,8 @@
 #include "readers/emissive_picture.h"
 
 #include "base/grow.h"
-#include "model/srgb.h"
+#include "base/rgb888.h"
+#include "base/srgb.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -47,7 +48,7 @@ static void paint(const struct emission_of *of, const struct picture *pictures, 
             const uint32_t own = colour ? colour->pixels[nearest(colour, x, y, out)] : 0xFFFFFF;
             const uint32_t glow = light ? light->pixels[nearest(light, x, y, out)] : 0xFFFFFF;
             const size_t at = y * out->w_px + x;
-            out->pixels[at] = srgb_sum(srgb_tinted(own, of->colour), emitted(glow, of->light));
+            out->pixels[at] = srgb_sum(rgb888_times(own, of->colour), emitted(glow, of->light));
             if (out->alpha) out->alpha[at] = colour->alpha[nearest(colour, x, y, out)];
         }
 }

@@ -9,7 +9,6 @@
 #include "base/grow.h"
 #include "base/inputs.h"
 #include "files/companion.h"
-#include "files/masked_picture.h"
 #include "files/picture.h"
 #include "formats/float_step.h"
 #include "formats/model_limits.h"
@@ -18,8 +17,8 @@
 #include "levels/level_import.h"
 #include "levels/level_path.h"
 #include "model/model_colour.h"
-#include "readers/emissive_picture.h"
 #include "readers/import_motion.h"
+#include "readers/import_pictures.h"
 #include "readers/model_io.h"
 #include "readers/model_unit.h"
 #include "readers/model_whole.h"
@@ -32,9 +31,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What became of the light that a material emits, if there is a picture in play. */
-enum light_in_picture { LIGHT_NONE, LIGHT_ALONE, LIGHT_DIMMED, LIGHT_LOST, LIGHTS_IN_PICTURES };
-
 struct import {
     const char *path;
     const struct aiScene *scene;
@@ -42,17 +38,8 @@ struct import {
     struct error *err;
     struct node_transform transform; /* of the node being read */
     struct model_paint paint;        /* of the mesh being read */
-    uint32_t picture, mask;          /* the same; 0: none */
-    uint8_t holes;                   /* picture_transparency() of its picture, if that is masked; else 0 */
-    struct masked_pictures masked;
-    struct emissive_pictures emissive;
-    uint32_t emission;           /* of the mesh being read: model_face.emission */
-    enum light_in_picture light; /* the same */
-    size_t light_faces[LIGHTS_IN_PICTURES];
-    bool has_sky;                   /* one of the materials is it */
-    const struct mtl_material *own; /* what an OBJ file's libraries say of the mesh being read; NULL: nothing */
-    unsigned uv_set;
-    size_t picture_capacity, point_total;
+    struct import_pictures pictures;
+    size_t point_total;
     struct motions motions;
     uint16_t mover; /* of the node being read: model_face.mover */
     struct vertex_numbers numbers;
@@ -171,174 +158,8 @@ static bool set_transparency(struct import *import, double opacity)
     model->alpha_clamped += clamped != opacity;
     struct model_face *face = &model->faces[model->face_count - 1];
     face->transparency = (uint8_t)(255 * (1 - clamped) + 0.5);
-    if (!face->transparency) face->transparency = import->holes;
+    if (!face->transparency) face->transparency = import->pictures.holes;
     return true;
-}
-
-/* Pictures are named again and again, by each material that shows them. One that is seen in several ways beyond its
- * borders has a number for each. */
-static uint32_t picture_number(struct import *import, const char *name, const uint8_t wrap[2])
-{
-    struct model *model = import->model;
-    for (size_t i = 0; i < model->picture_count; i++)
-        if (strcmp(model->pictures[i].name, name) == 0 &&
-            memcmp(model->pictures[i].wrap, wrap, sizeof model->pictures[i].wrap) == 0)
-            return (uint32_t)i + 1;
-    model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
-    struct picture *picture = &model->pictures[model->picture_count++];
-    picture_read(import->scene, name, picture);
-    memcpy(picture->wrap, wrap, sizeof picture->wrap);
-    return (uint32_t)model->picture_count;
-}
-
-/* The picture becomes one with holes, which has a number of its own: others may show it whole. */
-static void take_mask(struct import *import)
-{
-    struct model *model = import->model;
-    const struct mask_of of = {import->picture, import->mask, import->paint.least_alpha};
-    if (!import->picture || !import->mask || !(of.least_alpha > 0)) return;
-    uint32_t number = masked_picture_find(&import->masked, &of);
-    if (!number) {
-        model->pictures =
-            grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
-        number = masked_picture_make(&import->masked, &of, model->pictures, (uint32_t)model->picture_count);
-        model->picture_count += number > model->picture_count;
-    }
-    if (number == import->picture) return;
-    import->picture = number;
-    import->mask = 0;
-}
-
-static bool is_sky(const struct import *import, const struct aiMaterial *material)
-{
-    struct aiString name;
-    if (import->own) return pictures_sky() && strcmp(import->own->name, pictures_sky()) == 0;
-    return pictures_sky() && aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
-           strcmp(name.data, pictures_sky()) == 0;
-}
-
-/* The picture becomes a sky, which has a number of its own: others may show it as it is. */
-static void take_sky(struct import *import)
-{
-    struct model *model = import->model;
-    const char *name = model->pictures[import->picture - 1].name;
-    import->has_sky = true;
-    for (size_t i = 0; i < model->picture_count; i++)
-        if (model->pictures[i].sky.times && strcmp(model->pictures[i].name, name) == 0) {
-            import->picture = (uint32_t)i + 1;
-            return;
-        }
-    model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
-    if (picture_copy_as_sky(&model->pictures[import->picture - 1], &model->pictures[model->picture_count]))
-        import->picture = (uint32_t)++model->picture_count;
-}
-
-/* The picture becomes one of colour and light together. Where the material has no colour but its light, no lamp dims
- * it.
- */
-static void add_light_to_picture(struct import *import, const struct emission_of *of)
-{
-    struct model *model = import->model;
-    import->picture = emissive_picture_find(&import->emissive, of);
-    if (!import->picture) {
-        model->pictures =
-            grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
-        import->picture =
-            emissive_picture_make(&import->emissive, of, model->pictures, (uint32_t)model->picture_count++);
-    }
-    for (int i = 0; i < 3; i++)
-        import->paint.rgb[i] = 1;
-    import->light = of->colour ? LIGHT_DIMMED : LIGHT_ALONE;
-}
-
-static bool has_pixels(const struct import *import, uint32_t picture)
-{
-    return picture && import->model->pictures[picture - 1].pixels;
-}
-
-/* The picture of the light, and its coordinates, where there is one of the colour as well. false: nothing is to be done
- * with it. */
-static bool take_light_picture(struct import *import, const struct picture_use *use, struct emission_of *of)
-{
-    const uint32_t number = picture_number(import, use->name.data, use->wrap);
-    if (of->colour_picture &&
-        (use->uv_set != import->uv_set ||
-         memcmp(import->model->pictures[of->colour_picture - 1].wrap, use->wrap, sizeof use->wrap) != 0)) {
-        import->light = LIGHT_LOST;
-        return false;
-    }
-    if (!has_pixels(import, number)) {
-        import->picture = number; /* which says what is wrong with it */
-        return false;
-    }
-    import->uv_set = use->uv_set;
-    of->light_picture = number;
-    return true;
-}
-
-static double sum_of(const double light[3])
-{
-    return light[0] + light[1] + light[2];
-}
-
-/* Of a material that has no colour but its light, the picture of its colour is of use for its holes alone. */
-static void begin_light(struct import *import, struct emission_of *of)
-{
-    const struct picture *picture = import->picture ? &import->model->pictures[import->picture - 1] : NULL;
-    *of = (struct emission_of){.colour = model_paint_colour(&import->paint)};
-    memcpy(of->light, import->paint.light, sizeof of->light);
-    if (!of->colour && picture && picture->pixels && !picture->has_alpha) import->picture = 0;
-    if (has_pixels(import, import->picture)) of->colour_picture = import->picture;
-}
-
-/* What the material emits: a colour of its faces, unless there is a picture to add it to. MTL's map_Ke does without a
- * Ke. Where pictures are left out, what they would make of the light is not known. */
-static void take_light(struct import *import, const struct aiMaterial *material)
-{
-    struct model_paint *paint = &import->paint;
-    struct picture_use use;
-    struct emission_of of;
-    const bool has_picture = !paint->unlit && picture_of_light(material, &use);
-    if (has_picture && !paint->linear && !(sum_of(paint->light) > 0))
-        for (int i = 0; i < 3; i++)
-            paint->light[i] = 1;
-    if (!(sum_of(paint->light) > 0)) return;
-    begin_light(import, &of);
-    if (import->picture && !has_pixels(import, import->picture) && !pictures_are_left_out()) return;
-    if (has_picture && pictures_are_left_out() && of.colour) return;
-    if (has_picture && !pictures_are_left_out() && !take_light_picture(import, &use, &of)) return;
-    if (of.colour_picture || of.light_picture)
-        add_light_to_picture(import, &of);
-    else
-        import->emission = model_paint_emission(paint);
-}
-
-static void find_pictures(struct import *import, const struct aiMesh *mesh)
-{
-    static const uint8_t repeats[2] = {PICTURE_REPEATS, PICTURE_REPEATS};
-    struct picture_use use;
-    struct aiString name;
-    import->picture = import->mask = import->holes = 0;
-    import->emission = 0;
-    import->light = LIGHT_NONE;
-    import->own = NULL;
-    if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
-    const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
-    import->own = obj_material(&import->numbers.obj, material);
-    if (picture_of_colour(material, &use)) import->picture = picture_number(import, use.name.data, use.wrap);
-    import->uv_set = use.uv_set;
-    if (import->picture && is_sky(import, material)) {
-        take_sky(import);
-        return;
-    }
-    take_light(import, material);
-    if (picture_mask_of(material, &name)) import->mask = picture_number(import, name.data, repeats);
-    if (!import->mask && import->picture && import->paint.textures_blend &&
-        import->model->pictures[import->picture - 1].has_alpha)
-        import->mask = import->picture;
-    take_mask(import);
-    if (import->picture && import->model->pictures[import->picture - 1].is_masked)
-        import->holes = picture_transparency(&import->model->pictures[import->picture - 1]);
 }
 
 /* What a file says is no number is not missing. */
@@ -351,7 +172,7 @@ static double said(double number)
 /* The part of its picture that a material shows. */
 static void change_uv(const struct import *import, double uv[2])
 {
-    const struct mtl_map *map = import->own ? mtl_map_of(import->own) : NULL;
+    const struct mtl_map *map = import->pictures.own ? mtl_map_of(import->pictures.own) : NULL;
     for (int i = 0; map && i < 2; i++)
         uv[i] = uv[i] * map->scale[i] + map->offset[i];
 }
@@ -360,11 +181,11 @@ static void change_uv(const struct import *import, double uv[2])
 static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t first_point)
 {
     struct model *model = import->model;
-    if (!import->picture) return true;
+    if (!import->pictures.picture) return true;
     if (!model->uvs) model->uvs = calloc(import->point_total, sizeof *model->uvs);
     if (!model->uvs) return error_set(import->err, "%s: not enough memory", import->path);
     const struct aiVector3D *uvs =
-        import->uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[import->uv_set] : NULL;
+        import->pictures.uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[import->pictures.uv_set] : NULL;
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
         double *uv = model->uvs[first_point + i];
         uv[0] = uvs ? said((double)uvs[i].x) : NAN;
@@ -377,7 +198,7 @@ static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t f
 
 static bool is_shown_as_sky(const struct import *import)
 {
-    return import->picture && import->model->pictures[import->picture - 1].sky.times;
+    return import->pictures.picture && import->model->pictures[import->pictures.picture - 1].sky.times;
 }
 
 static bool add_face(struct import *import, const struct aiFace *from, uint32_t first_point, uint32_t colour)
@@ -388,14 +209,15 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
     *face = (struct model_face){.first = (uint32_t)model->corner_count,
                                 .count = from->mNumIndices,
                                 .colour = colour,
-                                .picture = import->picture,
+                                .picture = import->pictures.picture,
                                 .two_sided = import->paint.two_sided,
-                                .emission = import->emission,
-                                .unlit = import->paint.unlit || import->light == LIGHT_ALONE || is_shown_as_sky(import),
+                                .emission = import->pictures.emission,
+                                .unlit = import->paint.unlit || import->pictures.light == LIGHT_ALONE ||
+                                         is_shown_as_sky(import),
                                 .mover = import->mover};
     if (face->picture) model->pictures[face->picture - 1].faces++;
-    if (import->mask) model->pictures[import->mask - 1].clear_faces++;
-    import->light_faces[import->light]++;
+    if (import->pictures.mask) model->pictures[import->pictures.mask - 1].clear_faces++;
+    import->pictures.light_faces[import->pictures.light]++;
     for (unsigned k = 0; k < from->mNumIndices; k++) {
         uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
         const double *p = model->points[corner];
@@ -412,7 +234,7 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
     uint32_t first_point = (uint32_t)import->model->point_count;
     if (!add_points(import, mesh)) return false;
     import->paint = model_paint_of(import->scene, mesh);
-    find_pictures(import, mesh);
+    import_pictures_find(&import->pictures, mesh, &import->numbers.obj, &import->paint);
     if (!add_uvs(import, mesh, first_point)) return false;
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
@@ -520,19 +342,6 @@ static bool take_plain(struct import *import)
     return true;
 }
 
-static void note_light(const struct import *import)
-{
-    if (import->light_faces[LIGHT_DIMMED])
-        model_note(import->model,
-                   "%zu faces emit light and have a texture: baked light dims both; --unlit shows them undimmed",
-                   import->light_faces[LIGHT_DIMMED]);
-    if (import->light_faces[LIGHT_LOST])
-        model_note(import->model,
-                   "%zu faces are drawn without the light that they emit: its texture has other coordinates than that "
-                   "of their colour",
-                   import->light_faces[LIGHT_LOST]);
-}
-
 static void note_sky(struct model *model, bool has_sky)
 {
     if (pictures_sky() && !pictures_are_left_out() && !has_sky)
@@ -556,15 +365,13 @@ static bool import_by_library(const char *path, struct model *model, struct erro
         return false;
     }
     import.scene = import_file(path, import.plain.path, &import.numbers, err);
-    if (import.scene) pictures_note(import.scene);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) take_unit(&import);
-    if (ok) note_light(&import);
-    if (ok) note_sky(model, import.has_sky);
+    if (ok) import_pictures_note(&import.pictures);
+    if (ok) note_sky(model, import.pictures.has_sky);
     motions_free(&import.motions);
     if (ok) obj_tell(&import.numbers.obj, model);
-    masked_pictures_free(&import.masked);
-    emissive_pictures_free(&import.emissive);
+    import_pictures_free(&import.pictures);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);
     vertex_numbers_free(&import.numbers);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/srgb.h"
+#include "base/srgb.h"
 
 #include <math.h>
 
@@ -16,14 +16,6 @@ double srgb_to_linear(double channel)
 uint32_t srgb_byte(double channel)
 {
     return channel > 0 ? (uint32_t)(255 * fmin(channel, 1) + 0.5) : 0;
-}
-
-uint32_t srgb_tinted(uint32_t texel, uint32_t colour)
-{
-    uint32_t out = 0;
-    for (int shift = 16; shift >= 0; shift -= 8)
-        out |= ((texel >> shift & 0xFF) * (colour >> shift & 0xFF) + 127) / 255 << shift;
-    return out;
 }
 
 uint32_t srgb_sum(uint32_t a, uint32_t b)

@@ -13,9 +13,6 @@ double srgb_to_linear(double channel);
 /* 0..255; beyond 0..1 the nearer of them, and NaN, which a file may hold, becomes black. */
 uint32_t srgb_byte(double channel);
 
-/* 0xRRGGBB: a texel of a texture, times a face's colour, as firmware multiplies them. */
-uint32_t srgb_tinted(uint32_t texel, uint32_t colour);
-
 /* 0xRRGGBB: the light of both together, a channel up to 255. */
 uint32_t srgb_sum(uint32_t a, uint32_t b);
 
