@@ -74,7 +74,7 @@ static uint32_t antialias[LIM_ANTIALIAS_MEM_B(240) / 4], delta[LIM_DELTA_MEM_B(2
     mesh[LIM_MESH_MEM_B(240, 100, 100, 10) / 4 + LIM_MESH_LEAF_MEM_B(10, 10) / 4];
 static const lim_camera camera = {TEAPOT_POINT_Q8(0, 0.5, 3), LIM_DEGREES(-22.5), LIM_DEGREES(0), LIM_DEGREES(360),
     1u << 28, 1u << 28, LIM_CAMERA_END(LIM_UNITS_Q8(1.5) + LIM_UNITS(2.0) + TEAPOT_M_Q8(0.1), 0, 0, 0)};
-const uint16_t red = LIM_MEMORY_COLOUR(0xF800);
+static const uint16_t red = LIM_MEMORY_COLOUR(0xF800);
 
 static int send(void *, uint16_t, const uint16_t *, uint16_t, uint16_t)
 {
@@ -83,7 +83,7 @@ static int send(void *, uint16_t, const uint16_t *, uint16_t, uint16_t)
 
 int draw()
 {
-    antialias[0] = delta[0] = movers[0] = portals[0] = mesh[0] = LIM_TEXT_RUNS(5, 1);
+    antialias[0] = delta[0] = movers[0] = portals[0] = mesh[0] = LIM_TEXT_RUNS(5, 1) + red;
     const int err = teapot_begin(&teapot_memory, send, nullptr);
     return err ? err : lim_frame(teapot_memory.lim, &camera);
 }

@@ -7,6 +7,7 @@
 #include "math/isqrt.h"
 #include "math/orientation.h"
 #include "math/wide.h"
+#include "rigs/camera_axes.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
 #include "rigs/random.h"
@@ -188,26 +189,17 @@ static double of_compare(void)
     return wrong((sign > 0) - (sign < 0) != (ab > cd) - (ab < cd));
 }
 
-/* Rows of turns by yaw, then pitch, then roll: right, down, ahead. */
 static double of_orientation(void)
 {
+    static const int sign[3] = {1, -1, 1}; /* right, down, ahead */
     const struct lim_camera camera = {.yaw = any_u32(), .pitch = any_u32(), .roll = any_u32()};
-    const long double turn = pi / 2147483648.0L, yaw = (long double)camera.yaw * turn,
-                      pitch = (long double)camera.pitch * turn, roll = (long double)camera.roll * turn;
-    const long double ahead[3] = {-sinl(yaw) * cosl(pitch), sinl(pitch), -cosl(yaw) * cosl(pitch)};
-    const long double level[3] = {cosl(yaw), 0, -sinl(yaw)};
-    const long double up[3] = {sinl(yaw) * sinl(pitch), cosl(pitch), cosl(yaw) * sinl(pitch)};
+    long double axes[3][3], worst = 0;
     int32_t axes_q30[9];
-    long double worst = 0;
 
+    camera_axes_set(&camera, axes);
     lim_orientation_set(axes_q30, &camera);
-    for (int i = 0; i < 3; i++) {
-        const long double right = level[i] * cosl(roll) + up[i] * sinl(roll);
-        const long double down = level[i] * sinl(roll) - up[i] * cosl(roll);
-        const long double truth[3] = {right, down, ahead[i]};
-        for (int k = 0; k < 3; k++)
-            worst = fmaxl(worst, fabsl((long double)axes_q30[3 * k + i] - truth[k] * 1073741824.0L));
-    }
+    for (int i = 0; i < 9; i++)
+        worst = fmaxl(worst, fabsl((long double)axes_q30[i] - sign[i / 3] * axes[i / 3][i % 3] * 1073741824.0L));
     return (double)worst;
 }
 
