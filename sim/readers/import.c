@@ -365,6 +365,9 @@ static bool import_by_library(const char *path, struct model *model, struct erro
         return false;
     }
     import.scene = import_file(path, import.plain.path, &import.numbers, err);
+    import.pictures.scene = import.scene;
+    import.pictures.model = model;
+    if (import.scene) pictures_note(import.scene);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) take_unit(&import);
     if (ok) import_pictures_note(&import.pictures);
