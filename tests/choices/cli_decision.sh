@@ -100,8 +100,8 @@ judged() {
     "$limner" compile ball.obj -o judged --size 64x64 >/dev/null 2>&1 &&
         "$limner" render judged.lim --camera random:3:6 --size 64x64 --stats >flashed 2>/dev/null &&
         "$limner" render ball.obj --camera random:3:6 --size 64x64 --stats --compare >both 2>/dev/null &&
-        [ "$(grep -c '' flashed)" -gt 6 ] && [ "$(grep -c '' both)" -gt "$(grep -c '' flashed)" ] &&
-        head -n "$(grep -c '' flashed)" both | diff - flashed
+        rows=$(wc -l <flashed) && [ "$rows" -gt 6 ] && [ "$(wc -l <both)" -gt "$rows" ] && head -n "$rows" both >begin &&
+        diff begin flashed
 }
 tap_check "--compare judges what is flashed" judged
 
