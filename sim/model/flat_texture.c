@@ -1,52 +1,26 @@
-/* SPDX-License-Identifier: MIT
- *
- * What a face shows lies in the box round its corners' coordinates: where all texels of that box are equal, so are all
- * pixels of the face. */
+/* SPDX-License-Identifier: MIT */
 #include "model/flat_texture.h"
+
+#include "model/face_mean.h"
+#include "model/face_texels.h"
 
 #include <math.h>
 
-enum { MOST_TEXELS = 1 << 16 }; /* of a box: a larger one counts as no palette's colour */
 enum { INVISIBLE = 255 };
-static const double FARTHEST = 1e6; /* pictures from the origin */
 
-struct texel_box {
-    double least[2], most[2]; /* texels, before they repeat; a corner between two of them adds none */
+struct only {
+    uint32_t texel;
+    bool is_set, differs;
 };
 
-static bool box_of_face(const struct model *model, const struct model_face *face, const struct picture *picture,
-                        struct texel_box *box)
+static bool is_same(uint32_t texel, double part, void *user)
 {
-    const double size_px[2] = {picture->w_px, picture->h_px};
-    *box = (struct texel_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    for (uint32_t k = 0; k < face->count; k++)
-        for (int i = 0; i < 2; i++) {
-            const double at = model->uvs[model->corners[face->first + k]][i];
-            if (!(fabs(at) < FARTHEST)) return false;
-            box->least[i] = fmin(box->least[i], at * size_px[i]);
-            box->most[i] = fmax(box->most[i], at * size_px[i]);
-        }
-    for (int i = 0; i < 2; i++) {
-        box->least[i] = floor(box->least[i]);
-        box->most[i] = fmax(box->least[i], ceil(box->most[i]) - 1);
-    }
-    return (box->most[0] - box->least[0] + 1) * (box->most[1] - box->least[1] + 1) <= MOST_TEXELS;
-}
-
-static uint32_t texel_at(const struct picture *picture, double x, double y)
-{
-    const double w_px = picture->w_px, h_px = picture->h_px;
-    const size_t column = (size_t)(x - w_px * floor(x / w_px)), row = (size_t)(y - h_px * floor(y / h_px));
-    return picture->pixels[row * picture->w_px + column];
-}
-
-static bool is_one_colour(const struct picture *picture, const struct texel_box *box, uint32_t *colour)
-{
-    *colour = texel_at(picture, box->least[0], box->least[1]);
-    for (double y = box->least[1]; y <= box->most[1]; y++)
-        for (double x = box->least[0]; x <= box->most[0]; x++)
-            if (texel_at(picture, x, y) != *colour) return false;
-    return true;
+    struct only *only = user;
+    (void)part;
+    only->differs = only->is_set && texel != only->texel;
+    only->texel = texel;
+    only->is_set = true;
+    return !only->differs;
 }
 
 /* sRGB values, as textures are tinted. */
@@ -58,21 +32,58 @@ static uint32_t tinted(uint32_t texel, uint32_t colour)
     return out;
 }
 
+/* As picture_transparency() has it. */
+static uint8_t transparency_of(double clear_share)
+{
+    if (clear_share <= 0 || clear_share >= 1) return clear_share > 0 ? INVISIBLE : 0;
+    return (uint8_t)fmin(fmax(INVISIBLE * clear_share + 0.5, 1), INVISIBLE - 1);
+}
+
+/* A face whose material is glass has another transparency than its picture. */
+static void lose_picture(struct model_face *face, struct picture *picture, uint32_t colour, double clear_share)
+{
+    face->colour = tinted(colour, face->colour);
+    if (picture->is_masked && face->transparency == picture_transparency(picture))
+        face->transparency = transparency_of(clear_share);
+    face->picture = 0;
+    picture->faces--;
+}
+
+static struct picture *picture_of(struct model *model, const struct model_face *face)
+{
+    struct picture *picture = face->picture ? &model->pictures[face->picture - 1] : NULL;
+    return picture && picture->pixels ? picture : NULL;
+}
+
 size_t flat_texture_find(struct model *model)
 {
     size_t count = 0;
     for (size_t i = 0; i < model->face_count && model->uvs; i++) {
         struct model_face *face = &model->faces[i];
-        struct picture *picture = face->picture ? &model->pictures[face->picture - 1] : NULL;
-        struct texel_box box;
-        uint32_t colour;
-        if (!picture || !picture->pixels || picture->sky.times || !box_of_face(model, face, picture, &box)) continue;
-        if (!is_one_colour(picture, &box, &colour)) continue;
-        face->colour = tinted(colour, face->colour);
-        if (picture->is_masked) face->transparency = colour & PICTURE_CLEAR ? INVISIBLE : 0;
-        face->picture = 0;
-        picture->faces--;
+        struct picture *picture = picture_of(model, face);
+        struct only only = {0};
+        if (!picture || picture->sky.times) continue;
+        if (!face_texels_visit(model, face, picture, TEXELS_ALL, is_same, &only)) continue;
+        if (!only.is_set || only.differs) continue;
+        lose_picture(face, picture, only.texel, only.texel & PICTURE_CLEAR ? 1 : 0);
         count++;
     }
+    return count;
+}
+
+bool flat_texture_take_mean(struct model *model, struct model_face *face)
+{
+    struct picture *picture = picture_of(model, face);
+    struct face_mean mean;
+    if (!picture || !face_mean_of(model, face, picture, &mean)) return false;
+    lose_picture(face, picture, mean.colour, mean.clear_share);
+    return true;
+}
+
+size_t flat_texture_take_means(struct model *model)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < model->face_count; i++)
+        count += flat_texture_take_mean(model, &model->faces[i]);
     return count;
 }

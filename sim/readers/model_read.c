@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/model_read.h"
 
+#include "files/picture.h"
 #include "files/whole_file.h"
 #include "levels/level_path.h"
 #include "model/flat_texture.h"
+#include "model/picture_crop.h"
 #include "readers/model_import.h"
 
 /* Which way up formats are, that assimp hands over as they are, but for those of 3ds Max. */
@@ -25,7 +27,9 @@ static enum up_custom custom_of(const char *path)
 bool model_read(const char *path, const struct orientation *orientation, struct model *model, struct error *err)
 {
     if (!model_import(path, model, err)) return false;
-    flat_texture_find(model);
+    model->flat_faces = flat_texture_find(model);
+    if (pictures_are_means()) model->mean_faces = flat_texture_take_means(model);
+    picture_crop(model);
     orientation_apply(orientation, custom_of(path), model);
     return true;
 }
