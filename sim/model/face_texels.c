@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double ALL_MOST = 1 << 20, SAMPLED_MOST = 1 << 18; /* cells */
+static const double ALL_MOST = 1 << 20, SAMPLED_MOST = 1 << 16; /* cells */
 static const double LINE_TEXELS = 1e-9;                         /* an area: less is a line */
 static const double ROUNDING = 1.0 / 256; /* of a texel, and of the face: what is less is its coordinates' rounding */
 static const double FARTHEST = 1e6;       /* pictures from the origin */
@@ -126,10 +126,10 @@ static double area_of(const struct outline *outline)
     return fabs(area);
 }
 
-static void visit_cells(const struct picture *picture, const struct outline *outline, texel_visitor *visitor,
-                        void *user)
+static void visit_cells(const struct picture *picture, const struct outline *outline, enum face_texels_how how,
+                        texel_visitor *visitor, void *user)
 {
-    const double least = ROUNDING * fmin(1, area_of(outline));
+    const double least = how == TEXELS_ALL ? ROUNDING * fmin(1, area_of(outline)) : 0;
     for (double y = 0; y < outline->cells[1]; y++)
         for (double x = 0; x < outline->cells[0]; x++) {
             const double part = part_of_cell(outline, x, y), centre[2] = {x + 0.5, y + 0.5};
@@ -164,7 +164,10 @@ bool face_texels_visit(const struct model *model, const struct model_face *face,
     double most[2];
     outline.at = grow_zeroed(face->count, sizeof *outline.at);
     const bool ok = set_corners(model, face, picture, &outline, most) && set_cells(&outline, most, how);
-    if (ok) (area_of(&outline) > LINE_TEXELS ? visit_cells : visit_line)(picture, &outline, visitor, user);
+    if (ok && area_of(&outline) > LINE_TEXELS)
+        visit_cells(picture, &outline, how, visitor, user);
+    else if (ok)
+        visit_line(picture, &outline, visitor, user);
     free(outline.at);
     return ok;
 }

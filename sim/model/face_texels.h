@@ -13,7 +13,7 @@ typedef bool texel_visitor(uint32_t texel, double part, void *user);
 
 enum face_texels_how {
     TEXELS_ALL,    /* each one of which the face shows more than the rounding of its coordinates explains */
-    TEXELS_SAMPLED /* every third, fifth ... across and down, where there are more than some 260,000 */
+    TEXELS_SAMPLED /* every third, fifth ... across and down, where there are more than 65,536 */
 };
 
 /* false: the coordinates make no sense, or TEXELS_ALL would be more than a million. */

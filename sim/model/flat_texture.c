@@ -23,8 +23,7 @@ static bool is_same(uint32_t texel, double part, void *user)
     return !only->differs;
 }
 
-/* sRGB values, as textures are tinted. */
-static uint32_t tinted(uint32_t texel, uint32_t colour)
+uint32_t flat_texture_tinted(uint32_t texel, uint32_t colour)
 {
     uint32_t out = 0;
     for (int shift = 16; shift >= 0; shift -= 8)
@@ -42,7 +41,7 @@ static uint8_t transparency_of(double clear_share)
 /* A face whose material is glass has another transparency than its picture. */
 static void lose_picture(struct model_face *face, struct picture *picture, uint32_t colour, double clear_share)
 {
-    face->colour = tinted(colour, face->colour);
+    face->colour = flat_texture_tinted(colour, face->colour);
     if (picture->is_masked && face->transparency == picture_transparency(picture))
         face->transparency = transparency_of(clear_share);
     face->picture = 0;
