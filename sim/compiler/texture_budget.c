@@ -10,7 +10,7 @@
 #include "compiler/compile_mesh.h"
 #include "compiler/faithful.h"
 #include "compiler/texture_plan.h"
-#include "model/flat_texture.h"
+#include "readers/flat_texture.h"
 #include "scene.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
 #define SIM_TEXTURE_PLAN_H
 
 #include "accuracy/texels_seen.h"
-#include "compiler/texture_means.h"
+#include "accuracy/texture_means.h"
 #include "model/mesh.h"
 #include "scene.h"
 

@@ -21,8 +21,8 @@ void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct pic
 void pictures_leave_out(void);
 bool pictures_are_left_out(void);
 
-/* --textures flat, likewise: faces have a colour each, the mean of what they show (model/flat_texture.h). Whether they
- * are to, by either option. */
+/* --textures flat, likewise: faces have a colour each, the mean of what they show (readers/flat_texture.h). Whether
+ * they are to, by either option. */
 void pictures_take_means(void);
 bool pictures_are_means(void);
 

@@ -4,9 +4,9 @@
 #include "files/picture.h"
 #include "files/whole_file.h"
 #include "levels/level_path.h"
-#include "model/flat_texture.h"
-#include "model/picture_crop.h"
+#include "readers/flat_texture.h"
 #include "readers/model_import.h"
+#include "readers/picture_crop.h"
 
 /* Which way up formats are, that assimp hands over as they are, but for those of 3ds Max. */
 static const struct {

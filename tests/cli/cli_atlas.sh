@@ -5,7 +5,7 @@
 . tests/tap.sh
 
 limner=$(cd "$BUILD" && pwd)/limner
-atlas=$(pwd)/tests/cli/atlas.py
+atlas=$(pwd)/tests/rigs/atlas.py
 cd "$work" || exit 1
 python3 "$atlas" plain plain 1024 && python3 "$atlas" shaded shaded 512 || exit 1
 echo '2 1.8 2.5 0 0.5 0' >front.cam

@@ -4,8 +4,8 @@
  * cropped to what is shown, in which each face finds the pixels that it had. */
 #include "core/core.h"
 #include "model/face_mean.h"
-#include "model/flat_texture.h"
-#include "model/picture_crop.h"
+#include "readers/flat_texture.h"
+#include "readers/picture_crop.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/texture_rig.h"
 

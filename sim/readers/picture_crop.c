@@ -2,7 +2,7 @@
  *
  * Faces with common corners are an island: its coordinates can only move together. The first point of each knows how
  * many whole pictures it is away. */
-#include "model/picture_crop.h"
+#include "readers/picture_crop.h"
 
 #include "base/grow.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "model/flat_texture.h"
+#include "readers/flat_texture.h"
 
 #include "model/face_mean.h"
 #include "model/face_texels.h"

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "compiler/texture_means.h"
+#include "accuracy/texture_means.h"
 
 #include "base/grow.h"
 #include "base/map.h"
 #include "base/rgb565.h"
 #include "model/face_mean.h"
-#include "model/flat_texture.h"
+#include "readers/flat_texture.h"
 
 static struct texture_mean mean_of_picture(const struct model *model, uint32_t number)
 {
