@@ -4,8 +4,8 @@
 #include "base/grow.h"
 #include "base/map.h"
 #include "base/rgb565.h"
+#include "base/rgb888.h"
 #include "model/face_mean.h"
-#include "readers/flat_texture.h"
 
 static struct texture_mean mean_of_picture(const struct model *model, uint32_t number)
 {
@@ -17,7 +17,7 @@ static struct texture_mean mean_of_picture(const struct model *model, uint32_t n
         const struct model_face *face = &model->faces[i];
         struct face_mean mean;
         if (face->picture != number || !face_mean_of(model, face, picture, &mean)) continue;
-        map_at(&colours, rgb565_nearest(flat_texture_tinted(mean.colour, face->colour)), 0);
+        map_at(&colours, rgb565_nearest(rgb888_times(mean.colour, face->colour)), 0);
         out.error += mean.error;
         faces++;
     }

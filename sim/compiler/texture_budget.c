@@ -4,10 +4,13 @@
 #include "compiler/texture_budget.h"
 
 #include "base/grow.h"
+#include "base/names.h"
 #include "base/parse.h"
 #include "base/rgb565.h"
+#include "base/rgb888.h"
 #include "cameras/random_path.h"
 #include "compiler/compile_mesh.h"
+#include "compiler/coordinates.h"
 #include "compiler/faithful.h"
 #include "compiler/texture_plan.h"
 #include "readers/flat_texture.h"
@@ -120,7 +123,7 @@ static void change_faces(struct model *model, const struct mesh *mesh, const str
             flat_texture_take_mean(model, face);
             continue;
         }
-        if (steps[texture].is_flat) face->colour = flat_texture_tinted(mesh->textures[texture].mean, face->colour);
+        if (steps[texture].is_flat) face->colour = rgb888_times(mesh->textures[texture].mean, face->colour);
         face->picture = steps[texture].is_flat ? 0 : steps[texture].shows + 1;
         if (face->picture == texture + 1) continue;
         model->pictures[texture].faces--;
@@ -144,8 +147,8 @@ static void note_picture(struct model *model, const struct mesh *mesh, uint32_t 
     else if (step->is_flat)
         snprintf(picture->became, (size_t)size, "its mean colour, off by %.1f of 255", step->rms);
     else if (step->shows != number)
-        snprintf(picture->became, (size_t)size, "%.48s, %ux%u, off by %.1f of 255", model->pictures[step->shows].name,
-                 w_px, h_px, step->rms);
+        snprintf(picture->became, (size_t)size, "%s, %ux%u, off by %.1f of 255",
+                 name_end(model->pictures[step->shows].name).text, w_px, h_px, step->rms);
     else if (step->cut)
         snprintf(picture->became, (size_t)size, "%ux%u, off by %.1f of 255", w_px, h_px, step->rms);
 }
@@ -213,7 +216,7 @@ bool texture_budget_apply(struct model *model, const struct compile_options *opt
 {
     struct mesh mesh;
     if (!has_budget || !model->picture_count) return true;
-    if (!faithful_clean(model, options, &mesh, err)) return false;
+    if (!coordinates_clean(model, options, &mesh, err)) return false;
     const bool ok = mesh_textures_enlarge(model, &mesh, err) && plan_and_apply(model, &mesh, options, err);
     mesh_free(&mesh);
     return ok;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/flat_texture.h"
 
+#include "base/rgb888.h"
 #include "model/face_mean.h"
 #include "model/face_texels.h"
 
@@ -23,14 +24,6 @@ static bool is_same(uint32_t texel, double part, void *user)
     return !only->differs;
 }
 
-uint32_t flat_texture_tinted(uint32_t texel, uint32_t colour)
-{
-    uint32_t out = 0;
-    for (int shift = 16; shift >= 0; shift -= 8)
-        out |= ((texel >> shift & 0xFF) * (colour >> shift & 0xFF) + 127) / 255 << shift;
-    return out;
-}
-
 /* As picture_transparency() has it. */
 static uint8_t transparency_of(double clear_share)
 {
@@ -41,7 +34,7 @@ static uint8_t transparency_of(double clear_share)
 /* A face whose material is glass has another transparency than its picture. */
 static void lose_picture(struct model_face *face, struct picture *picture, uint32_t colour, double clear_share)
 {
-    face->colour = flat_texture_tinted(colour, face->colour);
+    face->colour = rgb888_times(colour, face->colour);
     if (picture->is_masked && face->transparency == picture_transparency(picture))
         face->transparency = transparency_of(clear_share);
     face->picture = 0;

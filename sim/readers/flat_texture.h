@@ -11,9 +11,6 @@
  * nothing changes, and smaller sizes would mix in the colours around it. Returns how many. */
 size_t flat_texture_find(struct model *model);
 
-/* A texel's colour on a face of that colour: sRGB values, as textures are tinted. */
-uint32_t flat_texture_tinted(uint32_t texel, uint32_t colour);
-
 /* The face gets the mean of the texels that it shows (face_mean.h). Where some are clear, it becomes as transparent as
  * is their share; of a material that is glass itself they do not count. false: it has no picture with pixels, or no
  * coordinates in it. */

@@ -4,9 +4,11 @@
 #include "files/picture.h"
 #include "files/whole_file.h"
 #include "levels/level_path.h"
+#include "model/texture_wrap.h"
 #include "readers/flat_texture.h"
 #include "readers/model_import.h"
 #include "readers/picture_crop.h"
+#include "readers/source.h"
 
 /* Which way up formats are, that assimp hands over as they are, but for those of 3ds Max. */
 static const struct {
@@ -27,9 +29,15 @@ static enum up_custom custom_of(const char *path)
 bool model_read(const char *path, const struct orientation *orientation, struct model *model, struct error *err)
 {
     if (!model_import(path, model, err)) return false;
+    orientation_apply(orientation, custom_of(path), model);
+    bool known;
+    if (texture_wrap_cuts(model) && !source_find(path, model, &known, err)) {
+        model_free(model);
+        return false;
+    }
+    texture_wrap_apply(model);
     model->flat_faces = flat_texture_find(model);
     if (pictures_are_means()) model->mean_faces = flat_texture_take_means(model);
     picture_crop(model);
-    orientation_apply(orientation, custom_of(path), model);
     return true;
 }

@@ -57,26 +57,44 @@ static double number_of(const unsigned char *at, size_t kind, bool is_share)
     }
 }
 
+/* Which of a sparse accessor's places is the element's, from 1; they ascend. 0: none. */
+static size_t sparse_place(const struct gltf_file *file, const struct gltf_buffers *buffers, const json_t *sparse,
+                           size_t element)
+{
+    const json_t *indices = json_object_get(sparse, "indices");
+    size_t low = 0, high = 0, kind = 0;
+    gltf_index(indices, "componentType", &kind);
+    gltf_index(sparse, "count", &high);
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        const unsigned char *at = bytes_of(file, buffers, indices, middle, width_b(kind), width_b(kind), 0);
+        if (!at || !width_b(kind)) return 0;
+        const double place = number_of(at, kind, false);
+        if (place == (double)element) return middle + 1;
+        if (place < (double)element)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return 0;
+}
+
 /* One number of an accessor; NaN: it is not there. */
 static double read_number(const struct gltf_file *file, const struct gltf_buffers *buffers, const json_t *accessor,
                           size_t element, size_t width, size_t which)
 {
-    const json_t *sparse = json_object_get(accessor, "sparse"), *indices = json_object_get(sparse, "indices");
-    const bool is_share = json_is_true(json_object_get(accessor, "normalized"));
-    size_t kind = 0, index_kind = 0, changed = 0;
+    const json_t *sparse = json_object_get(accessor, "sparse"), *in = accessor;
+    size_t kind = 0;
     gltf_index(accessor, "componentType", &kind);
-    gltf_index(indices, "componentType", &index_kind);
-    gltf_index(sparse, "count", &changed);
-    const size_t own_b = width_b(kind), index_b = width_b(index_kind);
-    for (size_t i = 0; i < changed; i++) {
-        const unsigned char *at = bytes_of(file, buffers, indices, i, index_b, index_b, 0);
-        if (!at || number_of(at, index_kind, false) != (double)element) continue;
-        at = bytes_of(file, buffers, json_object_get(sparse, "values"), i, width * own_b, own_b, which * own_b);
-        return at && own_b ? number_of(at, kind, is_share) : NAN;
+    const size_t own_b = width_b(kind), place = sparse_place(file, buffers, sparse, element);
+    if (place) {
+        in = json_object_get(sparse, "values");
+        element = place - 1;
+    } else if (sparse && !json_object_get(accessor, "bufferView")) {
+        return 0;
     }
-    if (sparse && !json_object_get(accessor, "bufferView")) return 0;
-    const unsigned char *at = bytes_of(file, buffers, accessor, element, width * own_b, own_b, which * own_b);
-    return at && own_b ? number_of(at, kind, is_share) : NAN;
+    const unsigned char *at = bytes_of(file, buffers, in, element, width * own_b, own_b, which * own_b);
+    return at && own_b ? number_of(at, kind, json_is_true(json_object_get(accessor, "normalized"))) : NAN;
 }
 
 /* Keys --------------------------------------------------------------------------------------- */
@@ -202,9 +220,10 @@ static bool is_shown(const struct source_motion *motion, size_t node, const json
 static void find_end(const struct gltf_file *file, struct source_motion *out)
 {
     for (size_t n = 0; n < out->count; n++)
-        for (int part = 0; part < SOURCE_PARTS && is_shown(out, n, gltf_scene_nodes(file)); part++) {
+        for (int part = 0; part < SOURCE_PARTS; part++) {
             const struct source_keys *keys = &out->nodes[n].keys[part];
-            if (keys->count) out->end_s = fmax(out->end_s, keys->times_s[keys->count - 1]);
+            if (keys->count && is_shown(out, n, gltf_scene_nodes(file)))
+                out->end_s = fmax(out->end_s, keys->times_s[keys->count - 1]);
         }
 }
 

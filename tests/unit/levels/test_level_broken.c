@@ -218,7 +218,7 @@ static void textures_that_are_missing_or_broken_are_a_notice(void **state)
     assert_noticed("parts of textures that are broken or missing: 1, PWALL of WALL among them");
     make();
     set_size("FLOOR", 4095);
-    assert_noticed("textures that are missing: 1, FLOOR among them; grey instead; parts of textures that are broken or "
+    assert_noticed("textures that are missing: 1, FLOOR among them; grey instead\nparts of textures that are broken or "
                    "missing: 1, FLOOR of FLOOR among them");
 }
 
