@@ -4,10 +4,12 @@
 #include "base/grow.h"
 #include "base/notice.h"
 #include "base/parse.h"
+#include "cli/options.h"
 #include "compiler/compile.h"
 #include "core/core_parse.h"
 #include "levels/level_path.h"
 #include "measure/worst_views.h"
+#include "scene/mem_parts.h"
 #include "scene/moving.h"
 
 #include <getopt.h>
@@ -301,9 +303,33 @@ static void print_effort(void)
            seconds(own.ru_utime) + seconds(own.ru_stime) + seconds(children.ru_utime) + seconds(children.ru_stime));
 }
 
+static bool has_budget(void)
+{
+    const struct model_options *given = model_options_given();
+    for (size_t i = 0; i < given->count; i++)
+        if (strcmp(given->items[i].name, "texture-budget") == 0) return true;
+    return false;
+}
+
+/* Who has given textures a budget knows what they take. */
+static void note_textures(const struct compile_request *request, const struct compile_result *result)
+{
+    size_t textures_b = 0, flash_b = 0;
+    for (size_t i = 0; i < result->count; i++) {
+        textures_b += texture_memory_b(&result->scenes[i].scene);
+        flash_b += result->scenes[i].report.flash_b;
+    }
+    if (2 * textures_b <= flash_b || has_budget()) return;
+    notice("%s: textures take %zu of the scene's %zu bytes of flash: --textures flat spares these %zu, by one colour a "
+           "face; "
+           "--texture-budget KB makes them smaller",
+           result->count == 1 ? request->models[0] : "these models", textures_b, flash_b, textures_b);
+}
+
 void compile_result_report(const struct compile_request *request, const struct compile_result *result)
 {
     note_idle(request, result);
+    note_textures(request, result);
     print_reports(request, result);
     print_effort();
 }

@@ -26,11 +26,21 @@ static bool set_doors(const char *name, struct error *err)
     return true;
 }
 
+static bool set_textures(const char *name, struct error *err)
+{
+    if (strcmp(name, "flat") == 0) pictures_take_means();
+    return strcmp(name, "flat") == 0 || strcmp(name, "drawn") == 0 ||
+           error_set(err, "--textures %s: neither 'drawn' nor 'flat'", name);
+}
+
 /* Those with a value. */
 static const struct {
     const char *name;
     bool (*set)(const char *value, struct error *err);
-} OPTIONS[] = {{"--sky", set_sky}, {"--texture-budget", texture_budget_parse}, {"--doors", set_doors}};
+} OPTIONS[] = {{"--sky", set_sky},
+               {"--textures", set_textures},
+               {"--texture-budget", texture_budget_parse},
+               {"--doors", set_doors}};
 _Static_assert(sizeof OPTIONS / sizeof *OPTIONS + 1 <= MODEL_OPTIONS_MAX, "each is given once");
 static const char NO_TEXTURES[] = "--no-textures";
 enum { DASHES = 2 };

@@ -78,7 +78,8 @@ bool options_split(int argc, char **argv, struct given_option **given, size_t *c
 
 bool options_scene_is_compiled(const struct options *options);
 
-/* Options that mean the same to all commands which read models: --trust-paths, --no-textures, --sky, --texture-budget,
+/* Options that mean the same to all commands which read models: --trust-paths, --no-textures, --textures, --sky,
+ * --texture-budget,
  * --doors. They are taken out of a command line and hold for the process. An error: a value is missing or is none. */
 bool model_options_take(struct arguments *arguments, struct error *err);
 
@@ -87,7 +88,7 @@ struct model_option {
     const char *value; /* NULL: it has none */
 };
 
-enum { MODEL_OPTIONS_MAX = 4 };
+enum { MODEL_OPTIONS_MAX = 5 };
 struct model_options {
     struct model_option items[MODEL_OPTIONS_MAX];
     size_t count;

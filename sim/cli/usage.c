@@ -153,8 +153,11 @@ static const struct usage_entry ENTRIES[] = {
      "  --trust-paths       files that a MODEL names (materials, textures, buffers) may lie outside of its folder:\n"
      "                      paths with `..`, absolute ones, links (all commands that read a MODEL)\n"},
     {MODELS | REPLAY | WALK,
-     "  --no-textures       faces have their materials' colours; without it a texture that cannot be read is an\n"
-     "                      error (all commands that read a MODEL)\n"},
+     "  --no-textures       as --textures flat, and a texture that cannot be read, otherwise an error, leaves faces\n"
+     "                      their materials' colours (all commands that read a MODEL)\n"},
+    {MODELS | REPLAY | WALK,
+     "  --textures HOW      drawn (default), or flat: each face has one colour, the mean of what it would show of\n"
+     "                      its texture; no flash is needed for them (all commands that read a MODEL)\n"},
     {MODELS | REPLAY | WALK,
      "  --doors NAME        of maps of WADs: closed, as they are (default), open, with lifts down, or move: objects\n"
      "                      that open or go down, wait and come back (all commands that read a MODEL)\n"},

@@ -13,6 +13,7 @@
 #include "compiler/coordinates.h"
 #include "compiler/faithful.h"
 #include "compiler/texture_plan.h"
+#include "readers/flat_texture.h"
 #include "scene.h"
 
 #include <math.h>
@@ -92,17 +93,21 @@ static void add_unseen(const struct mesh *mesh, struct texels_seen *seen)
     free(shown);
 }
 
-/* What a mesh without a tree takes for its flat faces: a texture and a colour for each colour. */
+/* What a mesh without a tree takes for each colour of its flat faces. */
+static size_t colour_b(const struct model *model, const struct compile_options *options)
+{
+    const bool may_be_mesh = options->tree == TREE_MESH || (options->tree == TREE_AUTO && !model->is_interior);
+    return may_be_mesh ? TEXTURE_COLOUR_B : 0;
+}
+
 static size_t flat_colours_b(const struct mesh *mesh, const struct model *model, const struct compile_options *options)
 {
-    enum { LOOK_B = sizeof(struct lim_texture) + sizeof(uint16_t) };
     struct map colours = {0};
-    const bool may_be_mesh = options->tree == TREE_MESH || (options->tree == TREE_AUTO && !model->is_interior);
-    for (size_t i = 0; may_be_mesh && i < mesh->polygon_count; i++)
+    for (size_t i = 0; i < mesh->polygon_count; i++)
         if (!mesh->polygons[i].mapping) map_at(&colours, rgb565_nearest(mesh->polygons[i].colour), 0);
-    const size_t count = colours.count;
+    const size_t size_b = colours.count * colour_b(model, options);
     map_free(&colours);
-    return count ? count * LOOK_B + LIM_TEXEL_BLOCK : 0;
+    return size_b ? size_b + LIM_TEXEL_BLOCK : 0;
 }
 
 /* What is done ---------------------------------------------------------------------------------- */
@@ -114,6 +119,10 @@ static void change_faces(struct model *model, const struct mesh *mesh, const str
         if (!face->picture) continue;
         const uint32_t texture = face->picture - 1;
         if (!mesh->textures[texture].texel_count) continue;
+        if (steps[texture].has_means) {
+            flat_texture_take_mean(model, face);
+            continue;
+        }
         if (steps[texture].is_flat) face->colour = rgb888_times(mesh->textures[texture].mean, face->colour);
         face->picture = steps[texture].is_flat ? 0 : steps[texture].shows + 1;
         if (face->picture == texture + 1) continue;
@@ -133,7 +142,9 @@ static void note_picture(struct model *model, const struct mesh *mesh, uint32_t 
     const struct texture *texture = &mesh->textures[number];
     const unsigned w_px = side_px(texture, false, step->cut), h_px = side_px(texture, true, step->cut);
     const int size = sizeof picture->became;
-    if (step->is_flat)
+    if (step->has_means)
+        snprintf(picture->became, (size_t)size, "the mean colour of each face, off by %.1f of 255", step->rms);
+    else if (step->is_flat)
         snprintf(picture->became, (size_t)size, "its mean colour, off by %.1f of 255", step->rms);
     else if (step->shows != number)
         snprintf(picture->became, (size_t)size, "%s, %ux%u, off by %.1f of 255",
@@ -144,26 +155,45 @@ static void note_picture(struct model *model, const struct mesh *mesh, uint32_t 
 
 static void apply(struct model *model, const struct mesh *mesh, const struct texture_plan *plan)
 {
-    size_t cut = 0, merged = 0, flat = 0;
+    size_t cut = 0, merged = 0, flat = 0, means = 0;
+    char of_faces[48] = "";
     for (uint32_t i = 0; i < mesh->texture_count; i++) {
         const struct texture_step *step = &plan->steps[i];
         if (!mesh->textures[i].texel_count) continue;
         note_picture(model, mesh, i, step);
-        if (step->is_flat)
+        if (step->has_means)
+            means++;
+        else if (step->is_flat)
             flat++;
         else if (step->shows != i)
             merged++;
         else if (step->cut)
             cut++;
-        if (!step->is_flat && step->shows == i)
+        if (!step->is_flat && !step->has_means && step->shows == i)
             model->pictures[i].w_bits_end = (uint8_t)(mesh->textures[i].w_bits - step->cut + 1);
     }
     change_faces(model, mesh, plan->steps);
+    if (means) snprintf(of_faces, sizeof of_faces, ", as a colour a face %zu", means);
     snprintf(
         model->textures_became, sizeof model->textures_became,
-        "textures for %.1f KB, before %.1f KB: smaller %zu, shown as another %zu, as a colour %zu; texels seen are "
+        "textures for %.1f KB, before %.1f KB: smaller %zu, shown as another %zu, as a colour %zu%s; texels seen are "
         "off by %.1f of 255",
-        (double)budget_b / KB, (double)plan->before_b / KB, cut, merged, flat, plan->rms);
+        (double)budget_b / KB, (double)plan->before_b / KB, cut, merged, flat, of_faces, plan->rms);
+}
+
+/* Means are only taken, and only made, where no sizes keep to it. */
+static void plan_for(struct model *model, const struct mesh *mesh, const struct texels_seen *seen, size_t a_colour_b,
+                     size_t most_b)
+{
+    struct texture_plan plan;
+    if (!texture_plan_make(mesh, seen, NULL, 0, most_b, &plan)) {
+        struct texture_mean *const means = texture_means_make(model);
+        texture_plan_free(&plan);
+        texture_plan_make(mesh, seen, means, a_colour_b, most_b, &plan);
+        free(means);
+    }
+    apply(model, mesh, &plan);
+    texture_plan_free(&plan);
 }
 
 static bool plan_and_apply(struct model *model, const struct mesh *mesh, const struct compile_options *options,
@@ -173,16 +203,11 @@ static bool plan_and_apply(struct model *model, const struct mesh *mesh, const s
     const size_t most_b = budget_b < SCENE_MOST_B ? budget_b : SCENE_MOST_B;
     if (texture_plan_bytes(mesh) + flat_b <= most_b) return true;
     struct texels_seen *const seen = grow_zeroed(mesh->texture_count, sizeof *seen);
-    struct texture_plan plan = {0};
     bool ok = look(mesh, model, options, seen, err);
     if (ok) {
         add_unseen(mesh, seen);
-        ok = texture_plan_make(mesh, seen, most_b > flat_b ? most_b - flat_b : 0, &plan) ||
-             error_set(err, "--texture-budget %.4g: textures take %.1f KB at the least; --no-textures does without",
-                       (double)budget_b / KB, ceil((double)(plan.after_b + flat_b) / KB * 10) / 10);
+        plan_for(model, mesh, seen, colour_b(model, options), most_b > flat_b ? most_b - flat_b : 0);
     }
-    if (ok) apply(model, mesh, &plan);
-    texture_plan_free(&plan);
     free(seen);
     return ok;
 }

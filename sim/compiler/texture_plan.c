@@ -20,7 +20,7 @@ struct pair {
 
 /* The least loss a byte so far. */
 struct choice {
-    enum { NOTHING, CUT, FLAT, MERGE } kind;
+    enum { NOTHING, CUT, FLAT, MERGE, MEANS } kind;
     uint32_t head, to;
     double loss, a_byte;
 };
@@ -28,6 +28,8 @@ struct choice {
 struct planning {
     const struct mesh *mesh;
     const struct texels_seen *seen;
+    const struct texture_mean *means; /* NULL: faces do not take theirs */
+    size_t colour_b;
     struct texture_step *steps;
     uint32_t **lights; /* of each texture, that its polygons have: sorted */
     size_t *light_counts;
@@ -111,7 +113,8 @@ static bool is_used(const struct planning *work, uint32_t texture)
 
 static bool is_head(const struct planning *work, uint32_t texture)
 {
-    return is_used(work, texture) && work->steps[texture].shows == texture && !work->steps[texture].is_flat;
+    return is_used(work, texture) && work->steps[texture].shows == texture && !work->steps[texture].is_flat &&
+           !work->steps[texture].has_means;
 }
 
 static double pixels_of(const struct planning *work, uint32_t texture)
@@ -248,6 +251,7 @@ static void take(struct planning *work, const struct choice *choice)
     case FLAT:
         work->steps[choice->head].is_flat = true;
         break;
+    case MEANS:
     case NOTHING:
         break;
     }
@@ -266,6 +270,45 @@ static bool take_next(struct planning *work)
         offer_merge(work, &work->pairs[i], &best);
     if (best.kind == NOTHING) return false;
     take(work, &best);
+    return true;
+}
+
+/* Faces take their means: all that show a group, each of its own texture. */
+static void offer_means(struct planning *work, uint32_t head, struct choice *best)
+{
+    size_t then_b = 0;
+    double loss = -loss_of_group(work, head, work->steps[head].cut);
+    for (uint32_t i = 0; i < work->mesh->texture_count; i++) {
+        if (!is_used(work, i) || work->steps[i].shows != head) continue;
+        loss += pixels_of(work, i) * work->means[i].error;
+        then_b += work->means[i].colours * work->colour_b;
+    }
+    const size_t now_b = bytes_of(work, head);
+    offer(best, (struct choice){.kind = MEANS, .head = head, .loss = loss}, now_b > then_b ? now_b - then_b : 1);
+}
+
+/* Where no texture is left, colours take no place among textures. */
+static void take_means(struct planning *work, uint32_t head)
+{
+    bool is_last = true;
+    work->total_b -= bytes_of(work, head);
+    for (uint32_t i = 0; i < work->mesh->texture_count; i++) {
+        if (!is_used(work, i) || work->steps[i].shows != head) continue;
+        work->steps[i].has_means = true;
+        work->total_b += work->means[i].colours * work->colour_b;
+    }
+    for (uint32_t i = 0; i < work->mesh->texture_count; i++)
+        is_last &= !is_head(work, i);
+    if (is_last) work->total_b = 0;
+}
+
+static bool take_next_means(struct planning *work)
+{
+    struct choice best = {.kind = NOTHING};
+    for (uint32_t i = 0; work->means && i < work->mesh->texture_count; i++)
+        if (is_head(work, i)) offer_means(work, i, &best);
+    if (best.kind == NOTHING) return false;
+    take_means(work, best.head);
     return true;
 }
 
@@ -337,6 +380,13 @@ static double rms_of(double loss, double pixels)
     return pixels > 0 ? sqrt(loss / pixels / CHANNELS) : 0;
 }
 
+static double loss_of_step(const struct planning *work, uint32_t texture)
+{
+    const struct texture_step *const step = &work->steps[texture];
+    if (step->has_means) return pixels_of(work, texture) * work->means[texture].error;
+    return step->is_flat ? loss_flat(work, texture) : loss_as(work, texture, step->shows, step->cut);
+}
+
 static void settle(struct planning *work, struct texture_plan *plan)
 {
     double loss = 0, pixels = 0;
@@ -344,7 +394,7 @@ static void settle(struct planning *work, struct texture_plan *plan)
         struct texture_step *const step = &work->steps[i];
         if (!is_used(work, i)) continue;
         step->cut = work->steps[step->shows].cut;
-        const double own = step->is_flat ? loss_flat(work, i) : loss_as(work, i, step->shows, step->cut);
+        const double own = loss_of_step(work, i);
         step->rms = rms_of(own, pixels_of(work, i));
         loss += own, pixels += pixels_of(work, i);
     }
@@ -363,14 +413,14 @@ static void end(struct planning *work)
     free(work->pairs);
 }
 
-bool texture_plan_make(const struct mesh *mesh, const struct texels_seen *seen, size_t budget_b,
-                       struct texture_plan *plan)
+bool texture_plan_make(const struct mesh *mesh, const struct texels_seen *seen, const struct texture_mean *means,
+                       size_t colour_b, size_t budget_b, struct texture_plan *plan)
 {
     *plan = (struct texture_plan){.steps = grow_zeroed(mesh->texture_count, sizeof *plan->steps),
                                   .before_b = texture_plan_bytes(mesh)};
-    struct planning work = {.mesh = mesh, .seen = seen, .steps = plan->steps};
+    struct planning work = {.mesh = mesh, .seen = seen, .means = means, .colour_b = colour_b, .steps = plan->steps};
     begin(&work);
-    while (work.total_b > budget_b && take_next(&work)) {
+    while (work.total_b > budget_b && (take_next(&work) || take_next_means(&work))) {
     }
     while (work.total_b <= budget_b && give_back(&work, budget_b)) {
     }

@@ -77,6 +77,11 @@ void companions_refuse(const struct error *err)
     model.refused = true;
 }
 
+void companions_pardon(void)
+{
+    model.refused = false;
+}
+
 static void refuse(const char *name, struct error *err)
 {
     error_set(err, "%s: it names '%s', which lies outside of its folder; --trust-paths permits that", model.path,

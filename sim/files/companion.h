@@ -25,6 +25,9 @@ bool companions_refused(struct error *err);
 /* Something else about a file that the model names which ends the import. */
 void companions_refuse(const struct error *err);
 
+/* What was refused may be missing: for who asked companions_refused() before, and was told that nothing was. */
+void companions_pardon(void);
+
 /* Opens what the model calls `name`, as input_open() does: relative to its folder; \ divides as / does, and %20 is a
  * blank unless a file is called so; // in front means the folder. What is not there is looked for by a name that
  * differs in capitals, and by its own name beside the model. NULL on error, with errno, and if it is refused. */

@@ -23,6 +23,7 @@ enum { LARGEST_FILE_B = 64 << 20 };
 static bool is_truncated;
 
 static bool leaves_out;      /* --no-textures */
+static bool takes_means;     /* --textures flat */
 static const char *sky_name; /* --sky, or NULL */
 
 enum { SKY_COLUMNS = 1024 };
@@ -260,6 +261,16 @@ bool pictures_are_left_out(void)
     return leaves_out;
 }
 
+void pictures_take_means(void)
+{
+    takes_means = true;
+}
+
+bool pictures_are_means(void)
+{
+    return takes_means || leaves_out;
+}
+
 void pictures_set_sky(const char *material)
 {
     sky_name = material;
@@ -285,30 +296,47 @@ bool picture_copy_as_sky(const struct picture *from, struct picture *out)
     return true;
 }
 
-/* Whether it is to be read at all. */
-static bool begin(struct picture *picture, const char *name)
+static void begin(struct picture *picture, const char *name)
 {
     memset(picture, 0, sizeof *picture);
     snprintf(picture->name, sizeof picture->name, "%s", name);
-    picture->left_out = leaves_out;
-    if (leaves_out) refuse(picture, "left out");
-    return !leaves_out;
+}
+
+/* --no-textures does without what cannot be read, or must not be. */
+static void end(struct picture *picture, bool was_refused)
+{
+    if (!leaves_out || picture->pixels) return;
+    picture->left_out = true;
+    if (!was_refused) companions_pardon();
+}
+
+static bool is_refused(void)
+{
+    struct error err;
+    return companions_refused(&err);
 }
 
 void picture_read_file(const char *name, struct picture *out)
 {
-    if (begin(out, name)) read_file(out, name);
+    const bool was_refused = is_refused();
+    begin(out, name);
+    read_file(out, name);
+    end(out, was_refused);
 }
 
 void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct picture *out)
 {
-    if (begin(out, name)) read_bytes(out, bytes, size_b);
+    const bool was_refused = is_refused();
+    begin(out, name);
+    read_bytes(out, bytes, size_b);
+    end(out, was_refused);
 }
 
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out)
 {
     const struct aiTexture *texture = embedded(scene, name);
-    if (!begin(out, name)) return;
+    const bool was_refused = is_refused();
+    begin(out, name);
     if (texture && texture->mHeight)
         read_raw(out, texture);
     else if (texture)
@@ -317,6 +345,7 @@ void picture_read(const struct aiScene *scene, const char *name, struct picture 
         refuse(out, "the model holds no such picture");
     else
         read_file(out, name);
+    end(out, was_refused);
 }
 
 static void note_pictures_of(const struct aiMaterial *material)

@@ -20,9 +20,14 @@ void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct pic
  * they are the model's, and no output takes their place (companion_note()). */
 void pictures_note(const struct aiScene *scene);
 
-/* --no-textures: none is read, for all of the process; faces have the colours of their materials. */
+/* --no-textures, for all of the process: one that cannot be read is no error, and faces have a colour each. */
 void pictures_leave_out(void);
 bool pictures_are_left_out(void);
+
+/* --textures flat, likewise: faces have a colour each, the mean of what they show (readers/flat_texture.h). Whether
+ * they are to, by either option. */
+void pictures_take_means(void);
+bool pictures_are_means(void);
 
 /* --sky: faces of the material of this name are a sky, for all of the process; NULL: of none. The text must stay. */
 void pictures_set_sky(const char *material);

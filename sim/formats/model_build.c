@@ -96,9 +96,9 @@ static void add_colour(struct model_build *build, const struct mean_colour *mean
 }
 
 /* What has a picture, and says nothing of colours, is as the picture is. */
-static uint32_t default_colour(const struct build_look *look)
+static uint32_t default_colour(const struct model *model, const struct build_look *look)
 {
-    return look->picture && !pictures_are_left_out() ? WHITE : MODEL_DEFAULT_COLOUR;
+    return look->picture && !model->pictures[look->picture - 1].left_out ? WHITE : MODEL_DEFAULT_COLOUR;
 }
 
 bool build_face(struct model_build *build, const struct build_look *look)
@@ -114,7 +114,7 @@ bool build_face(struct model_build *build, const struct build_look *look)
     add_colour(build, &look->colour);
     model->faces[model->face_count++] = (struct model_face){.first = (uint32_t)first,
                                                             .count = (uint32_t)count,
-                                                            .colour = default_colour(look),
+                                                            .colour = default_colour(model, look),
                                                             .picture = look->picture,
                                                             .two_sided = look->two_sided};
     if (look->picture) model->pictures[look->picture - 1].faces++;

@@ -92,6 +92,24 @@ static void note_more(struct mesh *mesh, size_t count)
     snprintf(note->text, sizeof note->text, "textures that are resized as well: %zu", count);
 }
 
+static void note_faces(struct mesh *mesh, const char *what, size_t count)
+{
+    if (!count) return;
+    struct note *note = note_add(mesh);
+    note->is_detail = true;
+    snprintf(note->text, sizeof note->text, "%s: %zu", what, count);
+}
+
+static void note_cropped(struct mesh *mesh, const struct picture *picture)
+{
+    if (!picture->whole_w_px) return;
+    struct note *note = note_add(mesh);
+    note->is_detail = true;
+    snprintf(note->text, sizeof note->text, "texture %s: %lux%lu of its %lux%lu pixels, faces show no others",
+             name_end(picture->name).text, (unsigned long)picture->w_px, (unsigned long)picture->h_px,
+             (unsigned long)picture->whole_w_px, (unsigned long)picture->whole_h_px);
+}
+
 static void note_budget(struct mesh *mesh, const struct model *model)
 {
     if (*model->textures_became) snprintf(note_add(mesh)->text, sizeof mesh->notes->text, "%s", model->textures_became);
@@ -145,11 +163,14 @@ bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct err
         }
         if (!texture_make(picture, most_bits, &mesh->textures[i]))
             return error_set(err, "texture %s: out of memory", name_end(picture->name).text);
+        note_cropped(mesh, picture);
         const bool was_resized = is_resized(picture, &mesh->textures[i]);
         texture_cut(&mesh->textures[i], levels_less(picture, mesh->textures[i].w_bits));
         if (!was_resized || *picture->became) continue;
         if (resized++ < RESIZED_TOLD) note_resized(mesh, picture, &mesh->textures[i], most_bits < MOST_BITS);
     }
+    note_faces(mesh, "faces that show one colour of their texture, and have that", model->flat_faces);
+    note_faces(mesh, "faces that have the mean colour of their texture's part", model->mean_faces);
     note_budget(mesh, model);
     if (resized > RESIZED_TOLD) note_more(mesh, resized - RESIZED_TOLD);
     return true;

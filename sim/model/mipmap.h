@@ -32,6 +32,8 @@ struct picture {
     char name[PICTURE_NAME_B];    /* as the model names it */
     char reason[PICTURE_WORDS_B]; /* why there are no pixels; empty if there are */
     uint32_t found_w_px, found_h_px;
+    uint32_t whole_w_px,
+        whole_h_px;      /* 0: else it was larger, and this is what faces show of it (readers/picture_crop.h) */
     uint32_t w_px, h_px; /* the same, or less: no side is longer than TEXTURE_SIDE_MAX_PX */
     uint32_t *pixels;    /* 0xRRGGBB, or more of them PICTURE_CLEAR, rows from the top; owned */
     uint8_t *alpha;      /* of each pixel, 255 is opaque; NULL: of no use any more, or all are; owned */

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/model_read.h"
 
+#include "files/picture.h"
 #include "files/whole_file.h"
 #include "levels/level_path.h"
-#include "model/flat_texture.h"
 #include "model/texture_wrap.h"
+#include "readers/flat_texture.h"
 #include "readers/model_import.h"
+#include "readers/picture_crop.h"
 #include "readers/source.h"
 
 /* Which way up formats are, that assimp hands over as they are, but for those of 3ds Max. */
@@ -34,6 +36,8 @@ bool model_read(const char *path, const struct orientation *orientation, struct 
         return false;
     }
     texture_wrap_apply(model);
-    flat_texture_find(model);
+    model->flat_faces = flat_texture_find(model);
+    if (pictures_are_means()) model->mean_faces = flat_texture_take_means(model);
+    picture_crop(model);
     return true;
 }

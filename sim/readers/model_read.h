@@ -6,8 +6,8 @@
 
 #include "model/model_orientation.h"
 
-/* model_import(), then flat_texture_find() and orientation_apply(). On success the caller owns *model, otherwise it is
- * empty. */
+/* model_import(), then flat_texture.h as the options have it, picture_crop() and orientation_apply(). On success the
+ * caller owns *model, otherwise it is empty. */
 bool model_read(const char *path, const struct orientation *orientation, struct model *model, struct error *err);
 
 #endif

@@ -189,13 +189,13 @@ refuses_texture() { # REASON
     done
 }
 tap_check 'a missing picture is an error' refuses_texture 'there is no such file'
-tap_check 'unless textures are not wanted' notes 'texture none.png: left out; faces of a flat colour instead: 1' none.obj --no-textures
+tap_check 'unless textures are not wanted' notes 'texture none.png: there is no such file; faces of a flat colour instead: 1' none.obj --no-textures
 tap_check 'then there is a flat face, without a texture in the firmware' is_flat none.obj --no-textures
 head -c 40 quarters.png >none.png
 tap_check 'so is a damaged one' refuses_texture 'damaged'
 : >none.png
 tap_check 'and an empty one' refuses_texture 'the file is empty'
-tap_check 'one that could be read is left out, too' is_flat quarters.obj --no-textures
+tap_check 'of one that can be read there is a flat face, too' is_flat quarters.obj --no-textures
 half_clear >clear.png
 sed 's/quarters.png/clear.png/' quarters.mtl >clear.mtl
 sed 's/quarters.mtl/clear.mtl/' quarters.obj >clear.obj

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # --texture-budget KB: textures keep to it in whatever a command makes of a model, the geometry stays, what was done is told, and
-# what cannot be kept is refused with the least that can.
+# what no sizes keep becomes colours.
 . tests/tap.sh
 
 limner=$(cd "$BUILD" && pwd)/limner
@@ -107,13 +107,11 @@ says() { # TEXT COMMAND...
     ! "$limner" "$@" 2>said && cat said && [ "$(wc -l <said)" -eq 1 ] && grep -q "$text" said && ! ls never* 2>/dev/null
 }
 
-# The least that is told can be kept, and a tenth of a KB less cannot.
-least_is_true() {
-    "$limner" compile "$model" --path "$camera" --texture-budget 0.1 -o never 2>said && return 1
-    cat said
-    least=$(sed -n 's/^limner: demo\/textured.obj: --texture-budget 0.1: textures take \([0-9.]*\) KB at the least; --no-textures does without$/\1/p' said)
-    compiled least --texture-budget "$least" && bytes_of least && less=$(awk -v least="$least" 'BEGIN { print least - 0.1 }') &&
-        ! "$limner" compile "$model" --path "$camera" --texture-budget "$less" -o never 2>said && cat said && ! ls never* 2>/dev/null
+# What no sizes keep becomes colours: all of it, or as much as must.
+colours_keep_to_any() {
+    compiled at0 --texture-budget 0 && grep 'note: textures for' at0.report && grep -q 'LIM_HAS_TEXTURE 0' at0.h &&
+        compiled at1.5 --texture-budget 1.5 && grep 'note: textures for' at1.5.report && grep -q ', as a colour a face [1-9]' at1.5.report &&
+        arrays_b at1.5 && [ "$(arrays_b at1.5)" -le 1500 ] && [ "$(arrays_b at1.5)" -gt 0 ]
 }
 
 for kb in 90 60 25; do
@@ -131,7 +129,7 @@ tap_check 'what is exported is smaller' exports
 tap_check 'the page says how much it is' reports
 tap_check 'sampled cameras do where there is no path' eval '"$limner" compile "$model" --texture-budget 30 -o sampled >sampled.report 2>said && [ "$(arrays_b sampled)" -le 30000 ]'
 tap_check 'a model without textures takes none' eval '"$limner" compile tests.obj --texture-budget 0 -o none >/dev/null 2>&1 || { printf "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" >tests.obj; "$limner" compile tests.obj --texture-budget 0 -o none >/dev/null; }'
-tap_check 'what cannot be kept is refused, and the least that can be' least_is_true
+tap_check 'colours keep to what no size keeps' colours_keep_to_any
 for bad in much -1 70000 nan 10KB ''; do
     tap_check "refused: '$bad'" says '^limner: --texture-budget' compile "$model" --texture-budget="$bad" -o never
 done

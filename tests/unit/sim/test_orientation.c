@@ -3,9 +3,9 @@
  * Which axis is up and which side of a face is outside: models written here as a maker's program would write them, in
  * every turn; and pictures that are palettes. */
 #include "base/vec3.h"
-#include "model/flat_texture.h"
 #include "model/pose.h"
 #include "model/winding.h"
+#include "readers/flat_texture.h"
 #include "readers/model_read.h"
 #include "readers/source.h"
 #include "rigs/cmocka_ready.h"

@@ -156,7 +156,7 @@ static void what_is_least_seen_is_cut_first(void **state)
     const struct texels_seen seen[3] = {{{100}}, {{1}}, {{50}}};
     struct texture_plan plan;
     const size_t all_b = texture_plan_bytes(&mesh);
-    assert_true(texture_plan_make(&mesh, seen, all_b - 3000, &plan));
+    assert_true(texture_plan_make(&mesh, seen, NULL, 0, all_b - 3000, &plan));
     assert_int_equal(plan.before_b, all_b);
     assert_int_equal(plan.steps[0].cut, 0);
     assert_int_equal(plan.steps[1].cut, 1);
@@ -179,7 +179,7 @@ static void levels_that_nobody_sees_go_for_nothing(void **state)
     struct mesh mesh = cleaned(&model);
     const struct texels_seen seen[2] = {{{0, 0, 1000}}, {{1}}};
     struct texture_plan plan;
-    assert_true(texture_plan_make(&mesh, seen, texture_plan_bytes(&mesh) - 4500, &plan));
+    assert_true(texture_plan_make(&mesh, seen, NULL, 0, texture_plan_bytes(&mesh) - 4500, &plan));
     assert_int_equal(plan.steps[0].cut, 2);
     assert_int_equal(plan.steps[1].cut, 0);
     assert_true(plan.rms == 0);
@@ -206,7 +206,7 @@ static void pictures_that_are_nearly_the_same_are_one(void **state)
     struct mesh mesh = cleaned(&model);
     const struct texels_seen seen[3] = {{{100}}, {{100}}, {{100}}};
     struct texture_plan plan;
-    assert_true(texture_plan_make(&mesh, seen, texture_plan_bytes(&mesh) - 500, &plan));
+    assert_true(texture_plan_make(&mesh, seen, NULL, 0, texture_plan_bytes(&mesh) - 500, &plan));
     const uint32_t shown = plan.steps[first - 1].shows;
     assert_int_equal(plan.steps[same - 1].shows, shown);
     assert_true(shown == first - 1 || shown == same - 1);
@@ -230,7 +230,7 @@ static void a_picture_of_nearly_one_colour_becomes_it(void **state)
     struct mesh mesh = cleaned(&model);
     const struct texels_seen seen[2] = {{{100}}, {{100}}};
     struct texture_plan plan;
-    assert_true(texture_plan_make(&mesh, seen, texture_plan_bytes(&mesh) - 1450, &plan));
+    assert_true(texture_plan_make(&mesh, seen, NULL, 0, texture_plan_bytes(&mesh) - 1450, &plan));
     assert_true(plan.steps[flat - 1].is_flat);
     assert_true(plan.steps[flat - 1].rms > 0 && plan.steps[flat - 1].rms < 3);
     assert_false(plan.steps[0].is_flat);
@@ -253,10 +253,10 @@ static void the_least_is_told(void **state)
     size_t least_b = 2 * (96 + sizeof(struct lim_texture)) + TEXTURE_COLOURS * 2;
     for (int i = 0; i < 2; i++)
         least_b += 2 * texture_cut_colours(&mesh.textures[i], 4);
-    assert_false(texture_plan_make(&mesh, seen, least_b - 1, &plan));
+    assert_false(texture_plan_make(&mesh, seen, NULL, 0, least_b - 1, &plan));
     assert_int_equal(plan.after_b, least_b);
     texture_plan_free(&plan);
-    assert_true(texture_plan_make(&mesh, seen, least_b, &plan));
+    assert_true(texture_plan_make(&mesh, seen, NULL, 0, least_b, &plan));
     texture_plan_free(&plan);
     mesh_free(&mesh);
     model_free(&model);
@@ -317,15 +317,47 @@ static void a_budget_that_is_kept_anyhow_changes_nothing(void **state)
     model_free(&model);
 }
 
-static void a_budget_that_cannot_be_kept_is_refused(void **state)
+/* Without a budget for any texture a face has the mean of its picture, of all of it here, in its light. */
+static void what_no_size_keeps_becomes_colours(void **state)
 {
     (void)state;
     const struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto", .core = &core_fast};
     struct model model = room();
     struct error err;
-    assert_true(texture_budget_parse("0.5", &err));
-    assert_false(texture_budget_apply(&model, &options, &err));
-    if (!strstr(err.text, "--texture-budget 0.5: textures take 0.9 KB at the least")) fail_msg("%s", err.text);
+    double sums[2][3] = {{0}};
+    for (int k = 0; k < 2; k++)
+        for (size_t i = 0; i < (size_t)model.pictures[k].w_px * model.pictures[k].h_px; i++)
+            for (int c = 0; c < 3; c++)
+                sums[k][c] += (double)(model.pictures[k].pixels[i] >> 8 * c & 0xFF) / model.pictures[k].w_px /
+                              model.pictures[k].h_px;
+    assert_true(texture_budget_parse("0", &err));
+    assert_true(texture_budget_apply(&model, &options, &err));
+    assert_non_null(strstr(model.textures_became, "as a colour a face 2;"));
+    for (size_t i = 0; i < model.face_count; i++) {
+        const double light = i == 4 || i == 5 ? 0x50 / 255.0 : 1;
+        assert_int_equal(model.faces[i].picture, 0);
+        for (int c = 0; c < 3; c++)
+            assert_true(fabs((model.faces[i].colour >> 8 * c & 0xFF) - light * sums[i % 2 == 0][c]) <= 1);
+    }
+    model_free(&model);
+}
+
+/* One texture is given up before two are: the one whose faces lose less by it. */
+static void no_more_become_colours_than_must(void **state)
+{
+    (void)state;
+    const struct compile_options options = {.tolerance_units = 0.5, .splitter = "auto", .core = &core_fast};
+    struct model model = room();
+    struct error err;
+    assert_true(texture_budget_parse("0.8", &err));
+    assert_true(texture_budget_apply(&model, &options, &err));
+    assert_non_null(strstr(model.textures_became, "as a colour a face 1;"));
+    assert_int_equal(!model.pictures[0].faces + !model.pictures[1].faces, 1);
+    struct mesh mesh;
+    struct compiled scene = texture_rig_compile(&model, &mesh, &core_fast);
+    assert_true(scene.scene.texture_count > 0 && texture_memory_b(&scene.scene) <= 800);
+    compiled_free(&scene);
+    mesh_free(&mesh);
     model_free(&model);
 }
 
@@ -353,7 +385,8 @@ int main(void)
         cmocka_unit_test(the_least_is_told),
         cmocka_unit_test(what_is_compiled_keeps_to_the_budget),
         cmocka_unit_test(a_budget_that_is_kept_anyhow_changes_nothing),
-        cmocka_unit_test(a_budget_that_cannot_be_kept_is_refused),
+        cmocka_unit_test(what_no_size_keeps_becomes_colours),
+        cmocka_unit_test(no_more_become_colours_than_must),
         cmocka_unit_test(bad_budgets_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
