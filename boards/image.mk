@@ -106,7 +106,7 @@ $(freedoom): | packages ;
 $(folder)/model.lim: $(folder)/module.c $(sources_of_model) $(BUILD)/limner
 	@echo "SCENE $(model)"
 	@rm -f $(folder)/model*.c $(folder)/model*.o
-	@$(BUILD)/limner compile $(model) -o $(folder)/model $(options) --panel $(PANEL) $(COMPILE) > $(folder)/report
+	@$(BUILD)/limner compile $(model) -o $(folder)/model --report $(options) --panel $(PANEL) $(COMPILE) > $(folder)/report
 
 $(walk): $(wads) $(BUILD)/limner
 	@mkdir -p $(@D)

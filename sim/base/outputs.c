@@ -319,9 +319,8 @@ static void files_text(const struct outputs *outputs, char text[WRITTEN_B])
     free(files);
 }
 
-bool outputs_keep(struct outputs *outputs, struct error *err)
+bool outputs_keep_untold(struct outputs *outputs, char *text, struct error *err)
 {
-    char text[WRITTEN_B];
     ending_hold();
     const int lock = lock_folder(outputs);
     const bool ok = rename_all(outputs, err);
@@ -332,6 +331,13 @@ bool outputs_keep(struct outputs *outputs, struct error *err)
     else
         outputs_discard(outputs);
     ending_release();
+    return ok;
+}
+
+bool outputs_keep(struct outputs *outputs, struct error *err)
+{
+    char text[WRITTEN_B];
+    const bool ok = outputs_keep_untold(outputs, text, err);
     if (ok) written_say(text);
     return ok;
 }

@@ -20,7 +20,8 @@ struct options {
     struct simulator_ram ram;
     size_t frames; /* how many are drawn; 0: not said */
     struct simulator_setup setup;
-    struct panel_choice panel; /* for SIMULATOR_PANEL */
+    struct panel_choice panel;    /* for SIMULATOR_PANEL */
+    enum panel_rotation rotation; /* of the picture on the glass that --size is of */
     struct compile_options compile;
     struct lim_wireframe wireframe;
     uint16_t delta_runs; /* 0: every frame is sent whole */

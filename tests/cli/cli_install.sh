@@ -93,7 +93,7 @@ tap_check "a file after an option" completes 'house.obj' limner render x.obj --c
 options_agree() { # each option that completion offers is in that command's help
     "$BUILD/limner" help --bash-completion | sed -n "s/^ *\([a-z0-9-]*\)) words=' \(-.*\)' ;;\$/\1 \2/p" >"$work/offers"
     [ "$(wc -l <"$work/offers")" -ge 17 ] && while read -r command options; do
-        "$BUILD/limner" "$command" --help >"$work/help"
+        "$BUILD/limner" "$command" --help all >"$work/help"
         for option in $options; do
             [ "$option" = --help ] || grep -q -e "^  .*$option" "$work/help" || { echo "$command: $option" && return 1; }
         done
