@@ -32,6 +32,21 @@ board_is_asked_for() {
     done
 }
 
+# Goals, boards and suites that nearly are some.
+says_of() { # PATTERN ARGUMENT...
+    wanted=$1
+    shift
+    ! make -s DEPS=no "$@" >"$work/out" 2>"$work/said" && grep -q "$wanted" "$work/said" || { cat "$work/said" && return 1; }
+}
+make_asks_what_was_meant() {
+    says_of 'there is no goal tset, is it test?; make help' tset && says_of 'there is no goal tests, is it test?;' tests &&
+        says_of 'there is no goal nonsense; make help' nonsense && says_of 'there is no goal Veiw, is it view?' all Veiw &&
+        says_of 'there is no suite hots, is it host?; there are: all host' test SUITES=hots &&
+        says_of 'there is no suite nonsense; there are' test SUITES=nonsense &&
+        says_of 'there is no board pcio, is it pico?; there are: .*bluepill' BOARD=pcio
+}
+board_in_any_case() { make -s -n DEPS=skip BOARD=PICO >"$work/out" 2>"$work/said" && ! grep -q 'no board' "$work/said" && ! grep -q 'boards/PICO' "$work/out"; }
+
 # -- limner COMMAND --help ---------------------------------------------------------------------------------------------
 
 limner=$(cd "$BUILD" && pwd)/limner
@@ -147,6 +162,8 @@ tap_check "--version tells the version" tells_version
 tap_check "make help begins with the six goals for newcomers" six_goals_come_first
 tap_check "every goal is told once" goals_are_told_once
 tap_check "a goal in no group is named" goal_without_group_is_named
+tap_check "make names the nearest goal, suite or board" make_asks_what_was_meant
+tap_check "a board is known in any capitals" board_in_any_case
 tap_check "make flash without a board says which there are" board_is_asked_for
 mkdir "$work/here" # files that options name
 "$limner" help >"$work/help"

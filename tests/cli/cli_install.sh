@@ -36,6 +36,13 @@ works() {
 mkdir "$work/files"
 tap_check "the program draws and compiles from there" works
 
+# As other packages spell it.
+small_letters() {
+    make -s DEPS=skip BUILD="$BUILD" prefix=/usr DESTDIR="$work/small" install >"$work/said" 2>&1 && [ -x "$work/small/usr/bin/limner" ] &&
+        make -s DEPS=skip BUILD="$BUILD" prefix=/usr DESTDIR="$work/small" uninstall >"$work/said" 2>&1 && [ ! -e "$work/small/usr/bin/limner" ]
+}
+tap_check "prefix= is PREFIX=" small_letters
+
 # -- The manual page ---------------------------------------------------------------------------------------------------
 page=$there/share/man/man1/limner.1
 if command -v groff >/dev/null; then
