@@ -33,8 +33,11 @@ sizes() {
     cat "$work/installed"
 }
 
-# What make would install for a goal.
-packages_of() { make -s DEPS=skip -f "$work/ask.mk" "packages-of-$1"; }
+# What make would install, by its own lists: of `make run`, and of `make test`.
+packages_of() { # 1|2
+    printf 'include Makefile\n$(info make $(packages-build))\n$(info make $(packages-build) ccache $(packages-host) $(packages-arm))\n' |
+        make -s -n DEPS=skip -f - help | sed -n "$1p"
+}
 
 minutes_of() { # GOAL: in the folder, as README has it
     begin_s=$(date +%s)
@@ -51,15 +54,14 @@ write() {
 
 debootstrap --variant=minbase bookworm "$root" "$mirror" >"$work/log" 2>&1 || { tail -n 5 "$work/log" >&2; fail "debootstrap failed"; }
 inside apt-get update -qq
-printf 'include Makefile\npackages-of-run:\n\t@echo make $(packages-build)\npackages-of-test:\n\t@echo make $(packages-build) ccache $(packages-host) $(packages-arm)\n' >"$work/ask.mk"
 
 # shellcheck disable=SC2046 # names are words
-set -- $(sizes $(packages_of run))
+set -- $(sizes $(packages_of 1))
 write run-mb "$1"
 write run-installed-mb "$2"
 run_mb=$1
 # shellcheck disable=SC2046
-set -- $(sizes $(packages_of test))
+set -- $(sizes $(packages_of 2))
 write test-mb "$(($1 - run_mb))"
 write all-installed-mb "$2"
 [ "${HOURS-yes}" != no ] || exit 0
