@@ -19,7 +19,7 @@ static const char *profile_name(const struct compile_report *report)
 static void print_model(const struct compile_report *report, const struct moving *moving)
 {
     printf("  %-14s %zu faces, drawn as %zu polygons", "model", report->mesh.faces, report->polygons_out);
-    if (moving->count) printf("; %zu objects move", moving->count);
+    if (moving->count) printf("; %zu object%s", moving->count, moving->count == 1 ? " moves" : "s move");
     putchar('\n');
 }
 
@@ -31,8 +31,9 @@ static void print_drawn(const struct compile_report *report)
                                         [TREE_OCTREE] = ", by an octree",
                                         [TREE_NONE] = "",
                                         [TREE_MESH] = ""};
-    printf("  %-14s %s%s; precision %s\n", "drawn", method_title(report->draws), trees[report->tree],
-           profile_name(report));
+    const bool draws_by_tree = report->draws == LIM_NEAREST_FIRST || report->draws == LIM_PAINTER;
+    printf("  %-14s %s%s; precision %s\n", "drawn", method_title(report->draws),
+           draws_by_tree ? trees[report->tree] : "", profile_name(report));
 }
 
 static void print_memory(const struct compiled *scene, const struct moving *moving)
