@@ -22,7 +22,7 @@ CCACHE := $(shell sh sim/tools/compiler_cache.sh)
 endif
 
 # All of them, but for programs that are slow and seldom find anything: those are the suite `slow`.
-ALL_SUITES := host arm cpus boards export cross compilers sanitize models format kernel foreign
+ALL_SUITES := host arm cpus boards export cross compilers sanitize models brought format kernel foreign
 SUITES     := host arm
 suites     := $(if $(filter all,$(SUITES)),$(ALL_SUITES),$(SUITES))
 
@@ -59,7 +59,7 @@ help: ## [care] list the goals
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
-packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev zlib1g-dev \
+packages-build         := gcc libc6-dev pkg-config libassimp-dev libgd-dev libgmp-dev libjansson-dev libmeshoptimizer-dev zlib1g-dev \
 	libgpiod-dev libhidapi-dev libarchive-dev lib3mf-dev
 packages-host          := libcmocka-dev libosmesa6-dev sigrok-cli groff-base tidy freedoom python3
 packages-arm           := gcc-arm-none-eabi qemu-system-arm gnuplot-nox
@@ -69,7 +69,7 @@ packages-cpus          := g++ $(packages-arm) gcc-riscv64-unknown-elf gcc-avr av
 packages-export        := g++ cmake arduino-builder arduino-core-avr gcc-avr avr-libc libsimavr-dev libelf-dev gcc-riscv64-unknown-elf \
 	qemu-system-misc $(packages-arm)
 packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc g++ clang
-packages-compilers     := clang
+packages-compilers     := g++ clang gcc-arm-none-eabi gcc-riscv64-unknown-elf
 packages-sanitize      := $(packages-host)
 packages-models        := assimp-testmodels
 packages-brought       := python3 python3-numpy python3-pil $(packages-models)
@@ -138,13 +138,13 @@ GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
 FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L \
 	-DLIM_GPIOD=$(GPIOD) -DSCREEN_STREAMS=1 \
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
-LINKS = $(shell pkg-config --libs $(LIBRARIES) $(SDL2)) -l3MF -lgmp -lz -lm
+LINKS = $(shell pkg-config --libs $(LIBRARIES) $(SDL2)) -l3MF -lmeshoptimizer -lgmp -lz -lm
 
 progress    = sh sim/tools/progress.sh
 progress_of = $(BUILD)/progress $(progress_count)
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
-rooms   := base core pictures model levels files formats readers scene trees cameras displays glass render accuracy compiler export measure page cli
+rooms   := base outputs core pictures model levels files gltf formats readers scene trees portals cameras displays glass render accuracy compiler export measure page cli
 firmware_rooms := math view screen pixels lines movers touch pieces routes orders
 sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c) hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
@@ -211,7 +211,7 @@ $(BUILD)/limner: $(call object,sim/cli/main.c) $(library) | $(BUILD)/count_plugi
 	@$(CC) $(HOST_OPT) -o $@ $(filter %.o %.a,$^) $(LINKS)
 
 # `limner measure` builds firmware for emulated processors and with other sub-pixel bits; QEMU loads a plugin that counts.
-$(call object,sim/measure/measure_cost.c sim/measure/sub_bits.c sim/cli/cmd_measure.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
+$(call object,sim/measure/measure_cost.c sim/measure/sub_bits.c sim/cli/cmd_measure.c sim/measure/sweep_results.c): PLACES = -DLIM_SOURCE_FOLDER='"$(CURDIR)"' \
 	-DLIM_COUNT_PLUGIN='"$(abspath $(BUILD))/count_plugin.so"'
 
 # What reports say of the sources: written anew, and compiled anew, when it changes. A copy that git does not know, built
@@ -366,6 +366,7 @@ $(addprefix $(BUILD)/tests/,$(faked)): $(call object,tests/fakes/fake_gpiod_v1.c
 $(addprefix $(BUILD)/tests/,$(faked)): test_links := $(foreach name,$(fake_calls),-Xlinker --wrap=$(name))
 tests/cli/cli_gpiod.sh: $(BUILD)/tests/test_linux_port
 $(BUILD)/tests/test_hid_port: test_links := -Xlinker --wrap=calloc
+$(BUILD)/tests/test_output_sets: test_links := $(foreach name,link rename unlink,-Xlinker --wrap=$(name))
 
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
 tests/cli/cli_extremes.sh: $(extremes) $(BUILD)/limner
@@ -373,14 +374,14 @@ tests/cli/cli_bench.sh: $(BUILD)/generate_bench
 tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/cli/cli_summary.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
 tests/sub_bits.sh: $(BUILD)/limner $(addprefix $(BUILD)/tests/,test_convex test_scanline test_target_errors)
 
-suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh) tests/formats/formats.sh
+suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh tests/files/cli_*.sh tests/formats/*.sh tests/choices/cli_*.sh)
 suite-arm       := $(wildcard tests/arm/arm_*.sh)
 suite-fixed     := $(BUILD)/tests/test_fixed tests/arm/arm_fixed.sh
 suite-cpus      := $(wildcard tests/cpus/cpus_*.sh)
 suite-boards    := $(wildcard tests/boards/boards_*.sh)
 suite-export    := $(wildcard tests/export/export_*.sh tests/adapters/adapters_*.sh)
 suite-cross     := tests/cross.sh tests/cross_cplusplus.sh
-suite-compilers := tests/compilers.sh
+suite-compilers := tests/compilers.sh tests/users_warnings.sh
 suite-sanitize  := $(wildcard tests/sanitize*.sh)
 suite-models    := tests/models.sh
 suite-brought   := $(wildcard tests/brought/brought_*.sh)
@@ -444,7 +445,7 @@ tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
 tests/foreign.sh: tests-kernel $(kernel_programs) $(BUILD)/tests/foreign/card
 
-known_suites := $(ALL_SUITES) brought slow prove arm64 fixed features sub-bits levels extremes soak all
+known_suites := $(ALL_SUITES) slow prove arm64 fixed features sub-bits levels extremes soak all
 unknown := $(filter-out $(known_suites),$(suites))
 $(if $(unknown),$(error there is no suite $(unknown)$(call is_it,$(firstword $(unknown)),$(known_suites)); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits levels extremes))
 
@@ -524,8 +525,8 @@ $(BUILD)/tests/fuzz_seeds: $(call object,tests/fuzz/libfuzzer/seeds.c) $(fuzz_ob
 
 # -- Mutants: see tests/mutants/README.md -------------------------------------------------------------------------------
 
-mutate: test-programs $(demo) packages ## [test] break firmware and HAL on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/view/clip.c, or MUTANT=NUMBER: one
-	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' sh tests/mutants.sh
+mutate: $(if $(TESTS),$(TESTS:%=$(BUILD)/tests/%),test-programs) $(demo) packages ## [test] break the code on purpose, 300 times; SEED=7 MUTANTS=50 FILES=firmware/view/clip.c TESTS=test_clip, or MUTANT=NUMBER: one
+	$(LIVE)SEED='$(SEED)' MUTANTS='$(MUTANTS)' FILES='$(FILES)' MUTANT='$(MUTANT)' TESTS='$(TESTS)' sh tests/mutants.sh
 
 models-table: $(BUILD)/limner ## [measure] write the outcomes of Debian's test models anew
 	$(LIVE)sh tests/models.sh --table > tests/models/models.expected

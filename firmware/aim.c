@@ -36,6 +36,7 @@ static int32_t level_part(const int32_t way[3], uint32_t yaw)
 
 void lim_look_at(struct lim_camera *camera, const int32_t eye_q8[3], const int32_t target_q8[3])
 {
+    LIM_ASSERT(camera && eye_q8 && target_q8);
     int32_t way[3];
     const bool goes_somewhere = find_way(way, eye_q8, target_q8);
 
@@ -54,6 +55,7 @@ static int32_t saturate_s32(int64_t x)
 
 void lim_orbit(struct lim_camera *camera, const int32_t target_q8[3], int32_t radius_q8, uint32_t yaw, uint32_t pitch)
 {
+    LIM_ASSERT(camera && target_q8);
     const int32_t level_q30 = lim_cos_q30(pitch);
     const int32_t back_q30[3] = {lim_mul_q30(lim_sin_q30(yaw), level_q30), -lim_sin_q30(pitch),
                                  lim_mul_q30(lim_cos_q30(yaw), level_q30)};

@@ -23,10 +23,11 @@ static int sender_done(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px)
 int lim_sender_target(struct lim_sender *sender, uint16_t w_px, uint16_t h_px, enum lim_method method,
                       struct lim_target *target)
 {
+    LIM_ASSERT(sender && target && sender->send && sender->lines);
+    LIM_ASSERT((uintptr_t)sender->lines % LIM_ALIGNOF(uint32_t) == 0);
     const uint32_t line_b = LIM_LINE_B((uint32_t)w_px);
     const bool is_whole = sender->lines_b >= line_b * h_px;
 
-    LIM_ASSERT(sender->send && sender->lines && (uintptr_t)sender->lines % LIM_ALIGNOF(uint32_t) == 0);
     if (sender->lines_b < line_b || (method == LIM_PAINTER && !is_whole)) return LIM_ERR_MEMORY;
     sender->stride_px = (uint16_t)(is_whole ? line_b / 2 : 0);
     *target = (struct lim_target){

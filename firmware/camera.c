@@ -12,6 +12,7 @@ static bool in_range(uint64_t tan_q28)
 
 int lim_camera_set_fov(struct lim_camera *camera, uint32_t fov_y, uint16_t w_px, uint16_t h_px)
 {
+    LIM_ASSERT(camera);
     if (fov_y >> 31 || !w_px || !h_px) return LIM_ERR_CAMERA;
     const uint32_t sine_q30 = (uint32_t)lim_sin_q30(fov_y / 2), cosine_q30 = (uint32_t)lim_cos_q30(fov_y / 2);
     const uint64_t tan_y_q28 = (((uint64_t)sine_q30 << 28) + cosine_q30 / 2) / cosine_q30;

@@ -16,7 +16,7 @@ LIM_C_BEGIN
  * variable the processor would have to compute it in floating point. */
 #define LIM_DEGREES(degrees) LIM_ANGLE_OF_E4((degrees) < 0 ? (degrees)*1e4 - 0.5 : (degrees)*1e4 + 0.5)
 #define LIM_ANGLE_OF_E4(degrees_e4)                                                                                    \
-    ((uint32_t)((((int64_t)(int32_t)(degrees_e4) + 3600000) * (INT64_C(1) << 32) + 1800000) / 3600000))
+    LIM_CAST(uint32_t, ((LIM_CAST(int32_t, degrees_e4) + INT64_C(3600000)) * (INT64_C(1) << 32) + 1800000) / 3600000)
 
 /* Within -1..1, and within 3.3 units of 2^-30 of the truth over all angles; exact at multiples of a quarter
  * turn. Antisymmetric to the bit. */
@@ -37,8 +37,8 @@ uint32_t lim_atan2(int32_t y, int32_t x);
 #define LIM_NEAR_MAX_Q8 (INT32_C(1) << 24)
 
 /* A constant number of units, with 8 fraction bits, rounded to nearest. */
-#define LIM_UNITS_Q8(units) ((int32_t)((units) < 0 ? (units)*256.0 - 0.5 : (units)*256.0 + 0.5))
-#define LIM_UNITS(units) ((int32_t)((units) < 0 ? (units)-0.5 : (units) + 0.5)) /* whole ones */
+#define LIM_UNITS_Q8(units) LIM_CAST(int32_t, (units) < 0 ? (units)*256.0 - 0.5 : (units)*256.0 + 0.5)
+#define LIM_UNITS(units) LIM_CAST(int32_t, (units) < 0 ? (units)-0.5 : (units) + 0.5) /* whole ones */
 
 /* A full turn is 2^32. Yaw 0 looks along -z, a quarter turn along -x: counter-clockwise from above;
  * pitch raises the view; roll turns the picture counter-clockwise. Nothing is accumulated: a stored

@@ -13,7 +13,7 @@ enum { LIM_OPAQUE = 255 }; /* the alpha of what hides all behind it */
 static inline uint16_t lim_memory_colour(uint16_t rgb565)
 {
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    return (uint16_t)(rgb565 << 8 | rgb565 >> 8);
+    return LIM_CAST(uint16_t, rgb565 << 8 | rgb565 >> 8);
 #else
     return rgb565;
 #endif

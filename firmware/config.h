@@ -39,12 +39,14 @@
 #define LIM_STATIC_ASSERT(condition, text) static_assert(condition, text)
 #define LIM_ALIGNOF(type) alignof(type)
 #define LIM_ALIGNAS(size_b) alignas(size_b)
+#define LIM_CAST(type, value) static_cast<type>(value)
 #else
 #define LIM_C_BEGIN
 #define LIM_C_END
 #define LIM_STATIC_ASSERT(condition, text) _Static_assert(condition, text)
 #define LIM_ALIGNOF(type) _Alignof(type)
 #define LIM_ALIGNAS(size_b) _Alignas(size_b)
+#define LIM_CAST(type, value) ((type)(value))
 #endif
 
 /* Precision profiles. Within a profile every CPU and compiler paints the same pixels.
@@ -383,12 +385,14 @@
 #else
 #define LIM_FLASH
 #endif
+#define LIM_FLASH_AS(type, pointer) LIM_CAST(const LIM_FLASH type *, LIM_CAST(const LIM_FLASH void *, pointer))
 
 /* Members that may be none, as an array: LIM_OPTIONAL(struct part, name, LIM_HAS_PART) is read as name->x where
  * LIM_HAS_PART was asked first.
  *
  * LIM_UNLIKELY: a condition that seldom holds. LIM_IN_EACH_CALLER: inlined in each, even where small code is asked for;
- * programs have but one of them. LIM_WORD_ALIGNED: of members that are copied together. */
+ * programs have but one of them. LIM_WORD_ALIGNED: of members that are copied together. LIM_FALL_THROUGH: a case goes
+ * on in the next one. */
 #if defined(__GNUC__)
 #define LIM_OPTIONAL(type, name, count) __extension__ type name[count]
 #define LIM_UNLIKELY(condition) __builtin_expect(condition, 0)
@@ -413,8 +417,14 @@
 #define LIM_LAST_VALUE(member, value) .member = value
 #endif
 
+#if __GNUC__ >= 7 || defined(__clang__)
+#define LIM_FALL_THROUGH __attribute__((fallthrough))
+#else
+#define LIM_FALL_THROUGH ((void)0)
+#endif
+
 /* Memory is cut up in words of four bytes. */
-#define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~(size_t)3)
+#define LIM_MEM_ALIGNED_B(size_b) (((size_b) + 3) & ~LIM_CAST(size_t, 3))
 
 /* Of functions that can fail. */
 #define LIM_MUST_CHECK __attribute__((warn_unused_result))

@@ -29,6 +29,7 @@ static bool method_is_linked(enum lim_method method)
 
 static size_t asked_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
+    LIM_ASSERT(scene && target);
     if (LIM_IS_MESH(target)) return lim_mesh_mem_b(scene, target, least);
     if (LIM_IS_CONVEX(target)) return lim_convex_mem_b(scene, target, least ? 0 : scene->limits.active);
     if (LIM_IS_PAINTER(target)) return lim_painter_mem_b(scene);
@@ -146,6 +147,7 @@ static void connect(struct lim *lim)
 int lim_init(struct lim *lim, const struct lim_scene *scene, const struct lim_target *target, void *mem, size_t mem_b)
 {
     LIM_ASSERT(lim && scene && target && mem && (uintptr_t)mem % LIM_ALIGNOF(uint32_t) == 0);
+    lim->pass.scene = NULL; /* until all is well */
     if (!target_is_usable(target)) return LIM_ERR_TARGET;
     if (!scene_is_usable(scene, target)) return LIM_ERR_SCENE;
     if (mem_b < asked_b(scene, target, true)) return LIM_ERR_MEMORY;
@@ -213,11 +215,13 @@ static LIM_IF_CALLED void begin_changes(struct lim *lim, const struct lim_camera
     if (*lim->delta) lim_delta_begin_frame(*lim->delta, camera, lim_stats_of(&lim->pass));
 }
 
+/* What is painted may not be begun anew: the target's functions are not to call these. */
 static int end_frame(struct lim *lim, int err)
 {
+    lim->ahead.stage = LIM_AHEAD_NONE;
     if (LIM_HAS_DELTA && *lim->delta) err = lim_delta_end_frame(*lim->delta, err);
     if (LIM_HAS_STATS) lim_stats_of(&lim->pass)->vertices = lim->pass.view.vertices;
-    return err;
+    return err > 0 ? LIM_ERR_ANSWER : err;
 }
 
 int lim_frame(struct lim *lim, const struct lim_camera *camera)
@@ -226,6 +230,7 @@ int lim_frame(struct lim *lim, const struct lim_camera *camera)
     const int err = set_camera(lim, camera);
     if (err) return err;
     if (LIM_HAS_DELTA) begin_changes(lim, camera);
+    lim->ahead.stage = LIM_AHEAD_PAINTING;
     return end_frame(lim, draw_frame(lim));
 }
 
@@ -251,24 +256,27 @@ static bool is_whole_at_once(const struct lim *lim)
 
 bool lim_frame_work(struct lim *lim)
 {
+    LIM_ASSERT(lim && lim->ahead.stage != LIM_AHEAD_PAINTING);
     if (!LIM_HAS_SPANS || lim->ahead.stage == LIM_AHEAD_NONE || is_whole_at_once(lim)) return false;
     return lim_nearest_work(lim->nearest, &lim->ahead.stage);
 }
 
 int lim_frame_paint(struct lim *lim)
 {
-    if (lim->ahead.stage == LIM_AHEAD_NONE) return LIM_ERR_BEGIN;
+    LIM_ASSERT(lim && lim->ahead.stage != LIM_AHEAD_PAINTING);
+    enum lim_ahead_stage stage = lim->ahead.stage;
+    if (stage == LIM_AHEAD_NONE) return LIM_ERR_BEGIN;
     if (LIM_HAS_DELTA) begin_changes(lim, lim->ahead.camera);
-    const int err =
-        end_frame(lim, !LIM_HAS_SPANS || is_whole_at_once(lim) ? draw_frame(lim)
-                                                               : lim_nearest_paint(lim->nearest, &lim->ahead.stage));
-    lim_drop_ahead(lim);
-    return err;
+    lim->ahead.stage = LIM_AHEAD_PAINTING;
+    const int err = !LIM_HAS_SPANS || is_whole_at_once(lim) ? draw_frame(lim) : lim_nearest_paint(lim->nearest, &stage);
+    if (LIM_HAS_MOVERS) lim->movers->count = lim->movers->given = 0;
+    return end_frame(lim, err);
 }
 
 #if LIM_HAS_MOVERS
 static void set_instances(struct lim_movers *movers, const struct lim_instance *instances, uint16_t count)
 {
+    LIM_ASSERT(instances || !count);
     movers->instances = instances;
     movers->count = count < movers->most ? count : movers->most;
     movers->given = count;
@@ -297,6 +305,7 @@ int lim_movers_begin(struct lim *lim, const struct lim_camera *camera, const str
 
 uint32_t lim_bands(const struct lim *lim)
 {
+    LIM_ASSERT(lim);
     if (LIM_IS_MESH(&lim->pass.target)) return lim->mesh->parts;
     return LIM_HAS_SPANS ? lim->nearest->bands : 0;
 }
@@ -305,5 +314,6 @@ const struct lim_stats *lim_stats(const struct lim *lim)
 {
     static const struct lim_stats none = {0};
 
+    LIM_ASSERT(lim);
     return LIM_HAS_STATS ? lim->pass.stats : &none;
 }

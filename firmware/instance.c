@@ -7,6 +7,7 @@
 
 void lim_instance_turn(struct lim_instance *instance, uint32_t yaw, uint32_t pitch, uint32_t roll)
 {
+    LIM_ASSERT(instance);
     const struct lim_camera turned = {.yaw = yaw, .pitch = pitch, .roll = roll};
 
     lim_orientation_set(instance->axes_q30, &turned); /* to the right, down, ahead: x, -y, -z */

@@ -148,8 +148,8 @@ void lim_light_set(struct lim *lim, const struct lim_light *light);
 
 /* Sends n_px pixels from (x_px, y_px) to the right, in RGB565, each as the bus wants it: the byte with the red bits
  * first. `pixels` may be written to again as soon as it returns. Lines come from the top down, the pieces of a line
- * from left to right: each pixel of a frame once, all of them unless lim_set_visible() says otherwise. 0; or a negative
- * code, which ends the frame, and comes back from lim_frame(). */
+ * from left to right: each pixel of a frame once, all of them unless lim_set_visible() says otherwise. 0; or a code,
+ * which ends the frame, and comes back from lim_frame(): a positive one as LIM_ERR_ANSWER. */
 typedef int lim_send(void *ctx, uint16_t y_px, const uint16_t *pixels, uint16_t x_px, uint16_t n_px); /* program's */
 
 /* Bytes of a line. */
@@ -195,7 +195,7 @@ struct lim_memory {
         struct lim lim;                                                                                                \
         struct lim_sender sender;                                                                                      \
         void *pools[LIM_POINTERS(pool_b) + LIM_POINTERS(mover_b)];                                                     \
-        LIM_ALIGNAS(4) uint16_t lines[(size_t)LIM_LINE_B(width_px) / 2 * (line_count)];                                \
+        LIM_ALIGNAS(4) uint16_t lines[LIM_CAST(size_t, LIM_LINE_B(width_px)) / 2 * (line_count)];                      \
     } name##_block;                                                                                                    \
     LIM_OPTIONAL_END                                                                                                   \
     static const struct lim_memory name = {&name##_block.lim,                                                          \

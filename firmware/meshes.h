@@ -175,7 +175,7 @@ struct lim_mesh {
 #define LIM_MESH_MEM_B(h_px, vertex_count, triangle_count, active_count)                                               \
     LIM_MEM_ALIGNED_B((active_count) * sizeof(struct lim_mesh_active) +                                                \
                       (vertex_count) * (sizeof(struct lim_point) + sizeof(uint16_t)) +                                 \
-                      ((size_t)(triangle_count) + (h_px)) * sizeof(lim_index))
+                      (LIM_CAST(size_t, triangle_count) + (h_px)) * sizeof(lim_index))
 /* Beside LIM_MESH_MEM_B(), with a line of depths. */
 #define LIM_MESH_DEPTH_MEM_B(w_px) LIM_MEM_ALIGNED_B((w_px) * sizeof(uint16_t))
 

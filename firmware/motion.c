@@ -136,6 +136,7 @@ static void interpolate(const LIM_FLASH struct lim_motion_key *from, const LIM_F
 /* Whatever the order of the keys' times, the next one's is later where the way between two is taken. */
 void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim_instance *instance)
 {
+    LIM_ASSERT(motion && instance);
     const LIM_FLASH struct lim_motion_key *keys = motion->keys;
     const uint16_t last = (uint16_t)(motion->count - 1);
     uint16_t k = 0;
@@ -154,6 +155,7 @@ void lim_motion_at(const struct lim_motion *motion, uint32_t time_ms, struct lim
 
 void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_ms, struct lim_instance *instances)
 {
+    LIM_ASSERT(!count || (moved && instances));
     for (uint16_t i = 0; i < count; i++) {
         instances[i].object = moved[i].object;
         instances[i].finer_bits = moved[i].finer_bits;

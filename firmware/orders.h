@@ -284,9 +284,10 @@ struct lim_painter {
 enum lim_ahead_stage {
     LIM_AHEAD_NONE, /* there is none */
     LIM_AHEAD_BEGUN,
-    LIM_AHEAD_BUSY,     /* in pass one */
-    LIM_AHEAD_DONE,     /* with pass one */
-    LIM_AHEAD_EXHAUSTED /* in pass one: a pool is */
+    LIM_AHEAD_BUSY,      /* in pass one */
+    LIM_AHEAD_DONE,      /* with pass one */
+    LIM_AHEAD_EXHAUSTED, /* in pass one: a pool is */
+    LIM_AHEAD_PAINTING   /* the target's functions are being called */
 };
 
 /* Pass one between two quanta. */
@@ -379,21 +380,21 @@ struct lim_convex {
                       (entry_count) *                                                                                  \
                           (sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) + sizeof(struct lim_cut)) +   \
                       LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
-                      ((size_t)(depth) + (object_depth)) * sizeof(struct lim_route_pending))
+                      (LIM_CAST(size_t, depth) + (object_depth)) * sizeof(struct lim_route_pending))
 
 /* Beside that of a scene with mesh leaves, or of movers: `vertex_count` and `polygon_count` as limits.leaf_... */
 #define LIM_MESH_LEAF_MEM_B(vertex_count, polygon_count)                                                               \
-    LIM_MEM_ALIGNED_B((size_t)(vertex_count) * (sizeof(struct lim_point) + sizeof(uint16_t)) +                         \
-                      (size_t)(polygon_count) * sizeof(struct lim_mesh_entry) +                                        \
-                      ((polygon_count) ? LIM_MESH_LEAF_LISTS((size_t)(polygon_count)) * sizeof(uint16_t) : 0))
+    LIM_MEM_ALIGNED_B(LIM_CAST(size_t, vertex_count) * (sizeof(struct lim_point) + sizeof(uint16_t)) +                 \
+                      LIM_CAST(size_t, polygon_count) * sizeof(struct lim_mesh_entry) +                                \
+                      ((polygon_count) ? LIM_MESH_LEAF_LISTS(LIM_CAST(size_t, polygon_count)) * sizeof(uint16_t) : 0))
 
 /* What lim_set_antialias() borrows: a line's sums, and which samples are closed where that has to do without gaps. */
-#define LIM_ANTIALIAS_MEM_B(w_px) (((size_t)(w_px) * (sizeof(uint32_t) + sizeof(uint16_t)) + 3) & ~(size_t)3)
+#define LIM_ANTIALIAS_MEM_B(w_px) LIM_MEM_ALIGNED_B(LIM_CAST(size_t, w_px) * (sizeof(uint32_t) + sizeof(uint16_t)))
 
 #define LIM_DELTA_MEM_B(w_px, h_px, run_count)                                                                         \
-    ((sizeof(struct lim_delta) + ((size_t)(w_px) + (run_count)) * sizeof(uint32_t) +                                   \
-      ((size_t)(h_px) + 1) * sizeof(uint16_t) + 3) &                                                                   \
-     ~(size_t)3)
+    ((sizeof(struct lim_delta) + (LIM_CAST(size_t, w_px) + (run_count)) * sizeof(uint32_t) +                           \
+      (LIM_CAST(size_t, h_px) + 1) * sizeof(uint16_t) + 3) &                                                           \
+     ~LIM_CAST(size_t, 3))
 
 LIM_OPTIONAL_END
 

@@ -61,7 +61,7 @@ struct lim_plane {
         LIM_PLANE_HALVES(ny, nx), LIM_PLANE_HALVES(nz, exact), LIM_PLANE_SLACK - (d)                                   \
     }
 #endif
-#define LIM_PLANE_HALVES(upper, lower) ((int32_t)((upper)*INT32_C(65536) + (int32_t)(uint16_t)(lower)))
+#define LIM_PLANE_HALVES(upper, lower) LIM_CAST(int32_t, (upper)*INT32_C(65536) + LIM_CAST(uint16_t, lower))
 #define LIM_PLANE_SLACK (INT32_C(1) << 16)       /* where |n . p - d| is less, eye.c does not trust it */
 #define LIM_PLANE_D_MAX (INT32_C(32767) * 32767) /* enough for any plane through a point of the grid */
 
@@ -267,13 +267,13 @@ static inline bool lim_scene_is_mesh(const struct lim_scene *scene)
 /* Of a mesh with textures: which bits of a triangle's last word are its texture's. */
 static inline lim_index lim_triangle_texture_mask(uint16_t texture_count)
 {
-    return (lim_index)(texture_count > LIM_TRIANGLE_TEXTURES ? UINT16_MAX : LIM_TRIANGLE_TEXTURES - 1);
+    return LIM_CAST(lim_index, texture_count > LIM_TRIANGLE_TEXTURES ? UINT16_MAX : LIM_TRIANGLE_TEXTURES - 1);
 }
 
 /* Where 16 bits do not tell at which word a record names its texture, its mapping does: no two textures share one. */
 static inline bool lim_mappings_name_textures(const struct lim_scene *scene)
 {
-    return LIM_HAS_WIDE && (uint32_t)scene->polygon_words >> 16 != 0;
+    return LIM_HAS_WIDE && LIM_CAST(uint32_t, scene->polygon_words) >> 16 != 0;
 }
 
 /* Textures of a scene; what its lim_screen_polygon.texture is less than; whether an object's are those of its scene. */
@@ -313,7 +313,7 @@ static inline bool lim_scene_shares_textures(const struct lim_scene *scene, cons
     ensures \result == (int16_t)plane->n_yx; */
 static inline int16_t lim_plane_x(const LIM_FLASH struct lim_plane *plane)
 {
-    return (int16_t)plane->n_yx;
+    return LIM_CAST(int16_t, plane->n_yx);
 }
 
 /*@ requires \valid_read(plane);
@@ -321,7 +321,7 @@ static inline int16_t lim_plane_x(const LIM_FLASH struct lim_plane *plane)
     ensures \result == plane->n_yx >> 16; */
 static inline int16_t lim_plane_y(const LIM_FLASH struct lim_plane *plane)
 {
-    return (int16_t)(plane->n_yx >> 16);
+    return LIM_CAST(int16_t, plane->n_yx >> 16);
 }
 
 /*@ requires \valid_read(plane);
@@ -329,7 +329,7 @@ static inline int16_t lim_plane_y(const LIM_FLASH struct lim_plane *plane)
     ensures \result == plane->n_z_exact >> 16; */
 static inline int16_t lim_plane_z(const LIM_FLASH struct lim_plane *plane)
 {
-    return (int16_t)(plane->n_z_exact >> 16);
+    return LIM_CAST(int16_t, plane->n_z_exact >> 16);
 }
 
 static inline lim_index lim_plane_exact(const LIM_FLASH struct lim_plane *plane)
@@ -337,7 +337,7 @@ static inline lim_index lim_plane_exact(const LIM_FLASH struct lim_plane *plane)
 #if LIM_HAS_WIDE
     return plane->exact;
 #else
-    return (uint16_t)plane->n_z_exact;
+    return LIM_CAST(uint16_t, plane->n_z_exact);
 #endif
 }
 
@@ -352,12 +352,12 @@ static inline int32_t lim_plane_d(const LIM_FLASH struct lim_plane *plane)
 /* Words of a record that begins with `head`. */
 static inline uint16_t lim_record_words(lim_index head)
 {
-    uint16_t words = (uint16_t)(LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT));
+    uint16_t words = LIM_CAST(uint16_t, LIM_POLYGON_HEAD_WORDS + (head & LIM_POLYGON_COUNT));
 
     if (LIM_HAS_LEAVES && head & LIM_POLYGON_PLANE) words += sizeof(struct lim_plane_ref) / sizeof(lim_index);
     if (LIM_HAS_TRANSPARENT && head & LIM_POLYGON_ALPHA) words++;
     if (LIM_HAS_WIREFRAME && head & LIM_POLYGON_EDGES)
-        words = (uint16_t)(words + ((head & LIM_POLYGON_COUNT) + 15) / 16);
+        words = LIM_CAST(uint16_t, words + ((head & LIM_POLYGON_COUNT) + 15) / 16);
     if (LIM_HAS_MESH_LEAVES && head & LIM_POLYGON_MESH) words += LIM_POLYGON_MESH_WORDS;
     if (LIM_HAS_TEXTURE && head & LIM_POLYGON_TEXTURE) words += LIM_POLYGON_TEXTURE_WORDS;
     return words;
@@ -366,13 +366,13 @@ static inline uint16_t lim_record_words(lim_index head)
 /* The plane of a record of a leaf. */
 static inline const LIM_FLASH struct lim_plane_ref *lim_record_plane(const LIM_FLASH lim_index *record)
 {
-    return (const LIM_FLASH struct lim_plane_ref *)(record + LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT));
+    return LIM_FLASH_AS(struct lim_plane_ref, record + LIM_POLYGON_HEAD_WORDS + (record[0] & LIM_POLYGON_COUNT));
 }
 
 /* Where the alpha of a record with LIM_POLYGON_ALPHA is, in words. */
 static inline uint16_t lim_record_alpha_at(lim_index head)
 {
-    return (uint16_t)(lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE)));
+    return lim_record_words(head & (LIM_POLYGON_COUNT | LIM_POLYGON_PLANE));
 }
 
 /* Where the flags of the edges of a record with LIM_POLYGON_EDGES are, in words. */
@@ -384,7 +384,7 @@ static inline uint16_t lim_record_edges_at(lim_index head)
 /* The mapping that a record with LIM_POLYGON_TEXTURE names in its last word. */
 static inline uint16_t lim_record_mapping(const LIM_FLASH lim_index *record)
 {
-    return (uint16_t)record[lim_record_words(record[0]) - 1];
+    return LIM_CAST(uint16_t, record[lim_record_words(record[0]) - 1]);
 }
 
 static inline bool lim_node_is_leaf(const LIM_FLASH struct lim_node *node)
@@ -401,13 +401,13 @@ static inline bool lim_is_mesh_leaf(const LIM_FLASH lim_index *record)
 /* What it says of the leaf: LIM_MESH_LEAF_... */
 static inline const LIM_FLASH lim_index *lim_mesh_leaf_words(const LIM_FLASH lim_index *record)
 {
-    return record + lim_record_words((lim_index)(record[0] & ~(LIM_POLYGON_MESH | LIM_POLYGON_TEXTURE)));
+    return record + lim_record_words(LIM_CAST(lim_index, record[0] & ~(LIM_POLYGON_MESH | LIM_POLYGON_TEXTURE)));
 }
 
 /* The plane that lim_plane_ref.plane names, if not an axis plane. */
 static inline const LIM_FLASH struct lim_plane *lim_plane_at(const LIM_FLASH struct lim_plane *planes, lim_index words)
 {
-    return (const LIM_FLASH struct lim_plane *)((const LIM_FLASH uint32_t *)planes + words);
+    return LIM_FLASH_AS(struct lim_plane, LIM_FLASH_AS(uint32_t, planes) + words);
 }
 
 /* What moves ------------------------------------------------------------------------------------------------------ */
@@ -427,7 +427,7 @@ LIM_OPTIONAL_BEGIN
 
 /* An object in its place. In a scene of many scales long.h has the bounds. */
 struct lim_instance {
-    const struct lim_scene *object; /* NULL, or without polygons: it is left out, and counted */
+    const struct lim_scene *object; /* of 16 bits; NULL, or without polygons: it is left out, and counted */
     int32_t at_q8[3];               /* its origin, units of the scene that it moves in, |at_q8| < 2^24 */
     /* Its x, y and z axis in that scene's axes, one after the other: of length 1, at right angles. */
     int32_t axes_q30[9];

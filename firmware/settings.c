@@ -15,6 +15,8 @@ int lim_begin(const struct lim_memory *memory, const struct lim_scene *scene, en
 {
     struct lim_target target;
 
+    LIM_ASSERT(memory && scene && send);
+    memory->lim->pass.scene = NULL;
     *memory->sender = (struct lim_sender){send, ctx, memory->lines, memory->lines_b, 0};
     const int err = lim_sender_target(memory->sender, memory->w_px, memory->h_px, method, &target);
     return err ? err : lim_init(memory->lim, scene, &target, memory->pools, memory->pools_b);
@@ -23,6 +25,7 @@ int lim_begin(const struct lim_memory *memory, const struct lim_scene *scene, en
 #if LIM_HAS_WIREFRAME
 void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
 {
+    LIM_ASSERT(lim && wireframe);
     lim_drop_ahead(lim);
     *lim->pass.wireframe = *wireframe;
 }
@@ -31,7 +34,7 @@ void lim_set_wireframe(struct lim *lim, const struct lim_wireframe *wireframe)
 #if LIM_HAS_OVERLAY
 void lim_set_overlay(struct lim *lim, const struct lim_overlay *overlay)
 {
-    LIM_ASSERT(!overlay || overlay->draw);
+    LIM_ASSERT(lim && (!overlay || overlay->draw));
     *lim->pass.overlay = overlay;
 }
 #endif
@@ -39,6 +42,7 @@ void lim_set_overlay(struct lim *lim, const struct lim_overlay *overlay)
 #if LIM_HAS_ROUND
 void lim_set_visible(struct lim *lim, lim_visible *visible)
 {
+    LIM_ASSERT(lim);
     lim_drop_ahead(lim);
     lim->pass.target.visible = visible;
 }
@@ -47,10 +51,10 @@ void lim_set_visible(struct lim *lim, lim_visible *visible)
 #if LIM_HAS_ANTIALIAS
 int lim_set_antialias(struct lim *lim, void *mem, size_t mem_b)
 {
+    LIM_ASSERT(lim && (uintptr_t)mem % LIM_ALIGNOF(uint32_t) == 0);
     struct lim_smooth *smooth = lim->nearest->paint.smooth;
     const uint16_t w_px = lim->pass.target.w_px;
 
-    LIM_ASSERT((uintptr_t)mem % LIM_ALIGNOF(uint32_t) == 0);
     if (!LIM_PAINTS_NEAREST_FIRST(&lim->pass.target)) return mem ? LIM_ERR_TARGET : LIM_OK;
     lim_drop_ahead(lim);
     smooth->sums = NULL;
@@ -73,10 +77,10 @@ static void use_delta(struct lim *lim, struct lim_delta *delta)
 
 int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)
 {
-    struct lim_target *target = &lim->pass.target;
-
     LIM_ASSERT((uintptr_t)mem % LIM_ALIGNOF(void *) == 0);
     lim_drop_ahead(lim);
+    struct lim_target *target = &lim->pass.target;
+
     if (*lim->delta) *target = (*lim->delta)->target;
     use_delta(lim, NULL);
     if (!mem) return LIM_OK;
@@ -89,6 +93,7 @@ int lim_set_delta(struct lim *lim, void *mem, size_t mem_b)
 
 void lim_refresh(struct lim *lim)
 {
+    LIM_ASSERT(lim);
     if (*lim->delta) (*lim->delta)->known = false;
 }
 #endif
@@ -96,6 +101,7 @@ void lim_refresh(struct lim *lim)
 #if LIM_HAS_PIECES
 void lim_newell_set(struct lim *lim, const struct lim_newell_options *options)
 {
+    LIM_ASSERT(lim && options);
     lim->sorter->newell->options = *options;
 }
 #endif
@@ -103,6 +109,7 @@ void lim_newell_set(struct lim *lim, const struct lim_newell_options *options)
 #if LIM_HAS_LIGHT
 void lim_light_set(struct lim *lim, const struct lim_light *light)
 {
+    LIM_ASSERT(lim && light);
     *lim->movers->light = *light;
 }
 #endif
@@ -110,6 +117,7 @@ void lim_light_set(struct lim *lim, const struct lim_light *light)
 #if LIM_HAS_MOVERS
 static size_t without_leaf_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
 {
+    LIM_ASSERT(scene && limits);
     return LIM_MOVERS_MEM_B(scene->limits.depth, limits->instances, limits->depth, limits->entries);
 }
 
@@ -141,13 +149,13 @@ static LIM_IF_CALLED void lend_mesh_leaf(struct lim_movers *movers, void *mem, c
 /* Widest alignment first. */
 int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_movers_limits *limits)
 {
+    LIM_ASSERT(lim && lim->pass.scene && limits && mem && (uintptr_t)mem % LIM_ALIGNOF(void *) == 0);
     struct lim_movers *movers = lim->movers;
     struct lim_sorter *sorter = lim->sorter;
     struct lim_newell *newell = sorter->newell;
     const struct lim_scene *scene = lim->pass.scene;
     uint8_t *at = mem;
 
-    LIM_ASSERT(mem && (uintptr_t)mem % LIM_ALIGNOF(void *) == 0);
     LIM_ASSERT(limits->instances <= LIM_INSTANCES_MAX && limits->instances <= limits->entries);
     LIM_ASSERT(limits->entries <= LIM_SORTED_MAX);
     if (mem_b < lim_movers_mem_b(scene, limits)) return LIM_ERR_MEMORY;

@@ -23,7 +23,7 @@ LIM_OPTIONAL_BEGIN
 #define LIM_HAS_FRACTIONS (LIM_PROFILE == LIM_PROFILE_EXACT) /* vertices with 8 fraction bits */
 #define LIM_TURNS_ROWS (LIM_HAS_TELE && !LIM_HAS_LIMBS)
 #define LIM_DRAFT_MARGIN_BITS 8 /* what is outside by 2^-8 of half the screen stays outside in whole pixels too */
-#define LIM_SUB ((int32_t)1 << LIM_SUB_BITS) /* sub-pixels in a pixel */
+#define LIM_SUB (INT32_C(1) << LIM_SUB_BITS) /* sub-pixels in a pixel */
 
 /* Screen coordinates span -w/2 .. 3w/2 because of the guard band. Up to this many pixels a side they fit
  * 16 bits, if they count from a pixel in the middle. Which one it is makes no difference to any picture. */
@@ -245,8 +245,8 @@ struct lim_portals {
 };
 
 /* Bytes for scenes with places; the stack of nodes is one deeper than the tree. */
-#define LIM_PORTALS_MEM_B(box_count, depth) (LIM_PORTALS_BITS_B(box_count) + ((size_t)(depth) + 2) / 2 * 4)
-#define LIM_PORTALS_BITS_B(box_count) (((size_t)(box_count) + 31) / 32 * 4)
+#define LIM_PORTALS_MEM_B(box_count, depth) (LIM_PORTALS_BITS_B(box_count) + (LIM_CAST(size_t, depth) + 2) / 2 * 4)
+#define LIM_PORTALS_BITS_B(box_count) ((LIM_CAST(size_t, box_count) + 31) / 32 * 4)
 
 /* Bytes for the bits of a scene: none for one without places. */
 static inline size_t lim_portals_mem_b(const struct lim_scene *scene)
@@ -384,7 +384,7 @@ struct lim_line {
 };
 
 /* Of the pool, bytes a gap: antialiased, a struct lim_open_strip (strips.h). */
-#define LIM_GAP_MEM_B (LIM_HAS_ANTIALIAS ? (size_t)20 : sizeof(struct lim_gap))
+#define LIM_GAP_MEM_B (LIM_HAS_ANTIALIAS ? LIM_CAST(size_t, 20) : sizeof(struct lim_gap))
 
 /* By which sizes memory is counted, with LIM_HAS_STATS: this processor's, or another's. In bytes: an element each (a
  * gap, 0: its own); the cache and the stack, in which polygons that cross a line lie, too. */

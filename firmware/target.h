@@ -8,14 +8,15 @@
 #include "config.h"
 
 /* What can go wrong at run time. Functions that can fail return 0 or a negative code, and are checked. A target's own
- * negative codes come back unchanged. */
+ * negative codes come back unchanged. Any number but 0 from done(), window() or show() ends the frame. */
 enum lim_error {
     LIM_OK = 0,
     LIM_ERR_MEMORY = -1001, /* mem_b is below lim_mem_min_b() */
     LIM_ERR_SCENE = -1002,  /* the scene needs more than this build was configured for */
     LIM_ERR_TARGET = -1003, /* the target's size or format is not supported, or it lent no line */
     LIM_ERR_CAMERA = -1004, /* position or lens out of range */
-    LIM_ERR_BEGIN = -1005   /* no frame was begun */
+    LIM_ERR_BEGIN = -1005,  /* no frame was begun */
+    LIM_ERR_ANSWER = -1006  /* the target returned a positive number, as write() does for what it has written */
 };
 
 /* A rectangle of the screen: pixels x0 <= x < x1, y0 <= y < y1. */
@@ -29,9 +30,9 @@ enum lim_format {
 
 /* A constant colour as the target's memory holds it: lim_memory_colour(). */
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)((rgb565) << 8 | (rgb565) >> 8))
+#define LIM_MEMORY_COLOUR(rgb565) LIM_CAST(uint16_t, (rgb565) << 8 | (rgb565) >> 8)
 #else
-#define LIM_MEMORY_COLOUR(rgb565) ((uint16_t)(rgb565))
+#define LIM_MEMORY_COLOUR(rgb565) LIM_CAST(uint16_t, rgb565)
 #endif
 
 enum lim_method {
@@ -91,8 +92,8 @@ struct lim_target {
     void *ctx; /* passed to both functions */
     /* Lends the memory of line y_px, w_px pixels, 4-byte aligned; NULL: cannot (LIM_ERR_TARGET). */
     void *(*lend)(void *ctx, uint16_t y_px);
-    /* Pixels x_px .. x_px + n_px - 1 of line y_px are final. A negative code ends the frame and
-     * comes back from lim_frame() unchanged. */
+    /* Pixels x_px .. x_px + n_px - 1 of line y_px are final. 0, or a code that ends the
+     * frame. */
     int (*done)(void *ctx, uint16_t y_px, uint16_t x_px, uint16_t n_px);
 #if LIM_HAS_ROUND
     lim_visible *visible; /* no other pixels are painted; NULL: all. Neither LIM_PAINTER nor LIM_CONVEX asks */

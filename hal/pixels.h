@@ -41,6 +41,9 @@ static inline size_t pixels_b(enum panel_format format, size_t n_px)
         return n_px / 8;
     case PANEL_GREY4:
         return n_px / 2;
+    case PANEL_USUAL:
+    case PANEL_RGB565:
+    case PANEL_FORMATS:
     default:
         return 2 * n_px;
     }

@@ -2,14 +2,20 @@
 # SPDX-License-Identifier: MIT
 #
 # Breaks the code on purpose, in one place at a time, and sees whether a test fails: sh tests/mutants.sh (make mutate). Of
-# all mutants of firmware/ and hal/ (tests/mutants/candidates.awk) takes MUTANTS (300), drawn by SEED (1), of FILES (all);
-# or MUTANT=NUMBER alone, and shows it. Prints those that live, then a score a file, an operator and a folder. Succeeds if
-# LEAST_PERCENT (95) of each folder's are killed and the list of equivalents is up to date. See tests/mutants/README.md.
+# all mutants of firmware/, hal/ and the gates of sim/ (tests/mutants/candidates.awk) takes MUTANTS (300), drawn by SEED
+# (1), of FILES (all); or MUTANT=NUMBER alone, and shows it. TESTS (all) judge. Prints those that live, then a score a
+# file, an operator and a folder. Succeeds if LEAST_PERCENT (95) of each folder's are killed and the list of equivalents
+# is up to date. See tests/mutants/README.md.
 set -u
 
-: "${BUILD:?is set by the Makefile}" "${SEED:=1}" "${MUTANTS:=300}" "${MUTANT:=}" "${FILES:=}" "${LEAST_PERCENT:=95}"
+: "${BUILD:?is set by the Makefile}" "${SEED:=1}" "${MUTANTS:=300}" "${MUTANT:=}" "${FILES:=}" "${TESTS:=}" "${LEAST_PERCENT:=95}"
 : "${TEST_JOBS:=$(nproc)}" "${TEST_EFFORT:=10}"
 export TEST_JOBS TEST_EFFORT
+
+# What stands between files of others and the program, or between the program and the user's files.
+gates=$(grep -v '^#' tests/mutants/gates)
+MUTATED="(firmware|hal)/|$(echo "$gates" | tr '\n ' '||' | sed 's/|$//')"
+export MUTATED
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 state=$BUILD/mutants
 here=tests/mutants
@@ -55,10 +61,18 @@ changed() {
     done
 }
 
+goals() { # BUILD
+    [ -n "$TESTS" ] || echo test-programs
+    for test in $TESTS; do
+        echo "$1/tests/$test"
+    done
+}
+
 # What has changed since the last time is run with gcov for its lines, and without for its time.
 survey() {
     say "builds the tests with gcov"
-    make DEPS=skip BUILD="$state/cover" OPT='-O1 --coverage' test-programs >"$state/cover.log" 2>&1 || {
+    # shellcheck disable=SC2046 # goals are words
+    make DEPS=skip BUILD="$state/cover" OPT='-O1 --coverage' $(goals "$state/cover") >"$state/cover.log" 2>&1 || {
         cat "$state/cover.log" >&2
         return 1
     }
@@ -68,7 +82,8 @@ survey() {
     say "finds which lines $(wc -l <"$state/changed") tests execute"
     xargs -n 1 -P "$TEST_JOBS" sh $here/cover.sh <"$state/changed"
     write_map
-    make -n DEPS=skip -W "$BUILD/host/liblimner.a" test-programs | grep -F -- " -o $BUILD/tests/" >"$state/links"
+    # shellcheck disable=SC2046 # goals are words
+    make -n DEPS=skip -W "$BUILD/host/liblimner.a" $(goals "$BUILD") | grep -F -- " -o $BUILD/tests/" >"$state/links"
 }
 
 # -- Which mutants ------------------------------------------------------------------------------------------------------
@@ -92,7 +107,7 @@ equivalents() {
         BEGIN {
             FS = "\t"
             while ((getline text < list) > 0) {
-                if (text ~ /^(firmware|hal)\//) file = text
+                if (text ~ /^(firmware|hal|sim)\/[^ ]*$/) file = text
                 if (text ~ /^- /) old = substr(text, 3)
                 if (text ~ /^\+ /) { key[++count] = file FS old FS substr(text, 3); wanted[key[count]] }
             }
@@ -192,10 +207,10 @@ score() {
 }
 
 mkdir -p "$state"
-tests=$(ls "$BUILD/tests" | grep '^test_[a-z0-9_]*$')
+tests=${TESTS:-$(ls "$BUILD/tests" | grep '^test_[a-z0-9_]*$')}
 survey || exit 1
 # shellcheck disable=SC2012 # plain names
-awk -f $here/candidates.awk $(ls firmware/*.[ch] firmware/*/*.[ch] hal/*.[ch] hal/*/*.[ch]) >"$state/candidates"
+awk -f $here/candidates.awk $(ls firmware/*.[ch] firmware/*/*.[ch] hal/*.[ch] hal/*/*.[ch]) $gates >"$state/candidates"
 equivalents >"$state/equivalents" 2>"$state/stale"
 cat "$state/stale" >&2
 

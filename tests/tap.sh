@@ -17,8 +17,12 @@ unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
 tap_count=0
 work=$(mktemp -d)
+# What a script has decided once it does not decide again; nothing that was remembered before answers for what is tested.
+XDG_CACHE_HOME=$(mktemp -d)
+export XDG_CACHE_HOME
+decisions=$XDG_CACHE_HOME
 kept=$(cd "$BUILD" && pwd)/kept/$(basename "$0" .sh)
-trap 'rm -rf "$work"' EXIT
+trap 'rm -rf "$work" "$decisions"' EXIT
 trap 'exit 1' INT TERM
 
 tap_ok() {

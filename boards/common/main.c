@@ -158,7 +158,7 @@ static int run(void)
     if (!err) err = scene_init(&screen.target);
     if (!err) err = fly();
     const int dark = BOARD_ENDS && is_lit ? panel_darken(panel) : 0;
-    return err ? err : dark;
+    return err || dark == PANEL_ERR_UNSUPPORTED ? err : dark; /* a memory LCD may have no pin for it */
 }
 
 /* Dark before it blinks: the last frame may have left it lit. A clock that failed as well is waited for no longer. */

@@ -8,6 +8,7 @@
  * it too, and is said in one line: there are no blinks to count. */
 #include "board.h"
 
+#include "linux/code_words.h"
 #include "linux/fail.h"
 #include "linux/interrupt.h"
 #include "linux/linux_port.h"
@@ -106,7 +107,7 @@ static void explain(int err)
     else if (err == PANEL_ERR_CONFIG)
         fputs("the panel wants a wire that is not named: LIMNER_DC, LIMNER_RESET, LIMNER_SELECT\n", stderr);
     else
-        fprintf(stderr, "the scene cannot be drawn as it was built: %d\n", err);
+        fprintf(stderr, "the scene cannot be drawn as it was built: %s (%d)\n", code_words(err), err);
 }
 
 int board_end(int err)

@@ -137,7 +137,7 @@ static LIM_HOT_INLINE int flat_paint_line(struct lim_paint *paint, const struct 
 
 static LIM_HOT_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_spans *spans,
                                            const struct lim_retained *retained, const struct lim_rect *band,
-                                           enum reach reach, uint16_t *y, struct lim_stats *stats)
+                                           enum reach reach, struct lim_paint_stop *stop, struct lim_stats *stats)
 {
     const struct lim_line *line = &spans->lines[band->y0], *const end = &spans->lines[band->y1];
     struct extent extent = {reach == ANYWHERE ? band->x0 : 0, band->x1};
@@ -150,33 +150,33 @@ static LIM_HOT_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_s
             lim_line_open(&open, &paint->pass->target, band, at);
             extent = (struct extent){open.gap.x0, open.gap.x1};
         }
-        *y = at;
-        if (!flat_activate(paint, spans, retained, line->retained, at)) return LIM_PAINT_ACTIVE;
+        stop->y = at;
+        if (!flat_activate(paint, spans, retained, line->retained, at)) return lim_paint_stops(stop, LIM_PAINT_ACTIVE);
         err = flat_paint_line(paint, spans, &line->gap, retained, extent, reach, at, stats);
         if (err) break;
     }
-    *y = at;
+    stop->y = at;
     return err;
 }
 
 /* Most frames of an object: without a comparison with the extent, whose registers the loop has for itself. What lies
  * within the screen is rounded to its pixels, but for whole ones (perspective.h). */
 static LIM_ALONE int paint_within(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                                  const struct lim_rect *band, uint16_t *y, struct lim_stats *stats)
+                                  const struct lim_rect *band, struct lim_paint_stop *stop, struct lim_stats *stats)
 {
-    return flat_paint_lines(paint, spans, retained, band, WITHIN, y, stats);
+    return flat_paint_lines(paint, spans, retained, band, WITHIN, stop, stats);
 }
 
 /* Most frames of rooms: the first pixel is compared with 0, which takes no register. */
 static LIM_ALONE int paint_overhanging(struct lim_paint *paint, struct lim_spans *spans,
-                                       const struct lim_retained *retained, const struct lim_rect *band, uint16_t *y,
-                                       struct lim_stats *stats)
+                                       const struct lim_retained *retained, const struct lim_rect *band,
+                                       struct lim_paint_stop *stop, struct lim_stats *stats)
 {
-    return flat_paint_lines(paint, spans, retained, band, OVERHANGING, y, stats);
+    return flat_paint_lines(paint, spans, retained, band, OVERHANGING, stop, stats);
 }
 
 int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                  const struct lim_rect *band, uint16_t *y)
+                  const struct lim_rect *band, struct lim_paint_stop *stop)
 {
     struct lim_stats *stats = lim_stats_of(paint->pass);
     const struct lim_target *target = &paint->pass->target;
@@ -184,10 +184,10 @@ int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct
     const bool from_0 = !LIM_OPTIMISE_SIZE && !band->x0 && !lim_target_is_round(target);
 
     lim_actives_start(&paint->actives, spans);
-    if (from_0 && LIM_SUB_BITS && !retained->overhangs && band->x1 == target->w_px)
-        return paint_within(paint, spans, retained, band, y, stats);
-    if (from_0) return paint_overhanging(paint, spans, retained, band, y, stats);
-    return flat_paint_lines(paint, spans, retained, band, ANYWHERE, y, stats);
+    if (from_0 && LIM_SUB_BITS > 0 && !retained->overhangs && band->x1 == target->w_px)
+        return paint_within(paint, spans, retained, band, stop, stats);
+    if (from_0) return paint_overhanging(paint, spans, retained, band, stop, stats);
+    return flat_paint_lines(paint, spans, retained, band, ANYWHERE, stop, stats);
 }
 
 #endif

@@ -325,7 +325,7 @@ static LIM_RARE void set_plain(const struct lim_mesh *mesh, struct lim_mesh_acti
 typedef uint32_t __attribute__((may_alias)) texture_word;
 static inline uint32_t sizes_of(const LIM_FLASH struct lim_texture *texture)
 {
-    return *(const LIM_FLASH texture_word *)&texture->w_bits;
+    return LIM_FLASH_AS(texture_word, texture)[1];
 }
 
 /* Another picture than the last one. */

@@ -271,8 +271,9 @@ static inline bool may_have_layers(const struct lim_retained *retained)
 }
 
 static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                      const struct lim_rect *band, uint16_t y)
+                      const struct lim_rect *band, struct lim_paint_stop *stop)
 {
+    const uint16_t y = stop->y;
     const struct lim_target *target = &paint->pass->target;
     struct lim_stats *stats = lim_stats_of(paint->pass);
     struct lim_line open;
@@ -294,7 +295,7 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
     if (LIM_HAS_STATS) stats->pixels_painted += sink.painted_px;
     if (LIM_HAS_TRANSPARENT && !lim_layers_finish(paint->layers, sink.line, stats)) {
         *paint->lent = sink.line;
-        return LIM_PAINT_LAYERS;
+        return lim_paint_stops(stop, LIM_PAINT_LAYERS);
     }
     lim_overlay_line(paint->pass, sink.line, y, x0, x1);
     return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
@@ -311,16 +312,17 @@ static inline bool is_flat(const struct lim_paint *paint, const struct lim_retai
 }
 
 int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                   const struct lim_rect *band, uint16_t *y)
+                   const struct lim_rect *band, struct lim_paint_stop *stop)
 {
     if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&paint->pass->view))
-        return lim_smooth_band(paint, spans, retained, band, y);
-    if (is_flat(paint, retained)) return lim_flat_band(paint, spans, retained, band, y);
+        return lim_smooth_band(paint, spans, retained, band, stop);
+    if (is_flat(paint, retained)) return lim_flat_band(paint, spans, retained, band, stop);
     lim_actives_start(&paint->actives, spans);
-    for (*y = band->y0; *y < band->y1; ++*y) {
-        if (!activate_line(paint, spans, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
-        const int err = paint_line(paint, spans, retained, band, *y);
-        if (err) return err;
+    for (stop->y = band->y0; stop->y < band->y1; stop->y++) {
+        if (!activate_line(paint, spans, retained, spans->lines[stop->y].retained, stop->y))
+            return lim_paint_stops(stop, LIM_PAINT_ACTIVE);
+        const int err = paint_line(paint, spans, retained, band, stop);
+        if (err || stop->exhausted) return err;
     }
     return 0;
 }

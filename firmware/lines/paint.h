@@ -10,25 +10,38 @@
 
 #include "stages.h"
 
-/* lim_paint_band(): what it could not finish. */
-enum {
-    LIM_PAINT_ACTIVE = 1, /* too many polygons cross line *y for the pool */
-    LIM_PAINT_LAYERS = 2  /* too much of line *y, which is lent, is transparent for the stack */
+enum lim_paint_pool {
+    LIM_PAINT_FITS,
+    LIM_PAINT_ACTIVE, /* too many polygons cross the line */
+    LIM_PAINT_LAYERS  /* too much of the line, which is lent, is transparent for the stack */
 };
 
-/* Paints the lines of `band`; *y moves with those that are finished. The pool of gaps is used up. Positive: above;
- * negative: the target's error. */
+/* Where painting a band has ended, and which pool is too small for the line there. */
+struct lim_paint_stop {
+    uint16_t y;
+    enum lim_paint_pool exhausted;
+};
+
+static inline int lim_paint_stops(struct lim_paint_stop *stop, enum lim_paint_pool exhausted)
+{
+    stop->exhausted = exhausted;
+    return 0;
+}
+
+/* Paints the lines of `band` until it is done, a pool is exhausted or the target returns another number than 0, which
+ * comes back. stop->exhausted is LIM_PAINT_FITS before. The pool of gaps is used up. */
 LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                                  const struct lim_rect *band, uint16_t *y);
+                                  const struct lim_rect *band, struct lim_paint_stop *stop);
 
 /* The same where all is opaque and of one colour a polygon, as most frames are (flat.c): each line from far to near
  * over its background, which is the gaps that SPAN has left. Filling a run again costs less than to find out which of
  * its pixels are still open. */
 LIM_MUST_CHECK int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                                 const struct lim_rect *band, uint16_t *y);
+                                 const struct lim_rect *band, struct lim_paint_stop *stop);
 
 /* The same, antialiased (smooth_band.c): what is nearer closes samples first. */
 LIM_MUST_CHECK int lim_smooth_band(struct lim_paint *paint, struct lim_spans *spans,
-                                   const struct lim_retained *retained, const struct lim_rect *band, uint16_t *y);
+                                   const struct lim_retained *retained, const struct lim_rect *band,
+                                   struct lim_paint_stop *stop);
 
 #endif

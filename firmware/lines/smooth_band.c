@@ -125,8 +125,9 @@ static void smooth_background(const struct lim_paint *paint, const struct lim_sp
 }
 
 static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                       const struct lim_rect *band, uint16_t y)
+                       const struct lim_rect *band, struct lim_paint_stop *stop)
 {
+    const uint16_t y = stop->y;
     const struct lim_target *target = &paint->pass->target;
     struct lim_stats *stats = lim_stats_of(paint->pass);
     struct lim_smooth_sink sink = {.line = target->lend(target->ctx, y), .sums = paint->smooth->sums};
@@ -149,7 +150,7 @@ static int smooth_line(struct lim_paint *paint, struct lim_spans *spans, const s
     smooth_background(paint, spans, &open, &sink);
     if (LIM_HAS_TRANSPARENT && !lim_layers_finish(paint->layers, sink.line, stats)) {
         *paint->lent = sink.line;
-        return LIM_PAINT_LAYERS;
+        return lim_paint_stops(stop, LIM_PAINT_LAYERS);
     }
     lim_overlay_line(paint->pass, sink.line, y, x0, x1);
     return target->done(target->ctx, y, x0, (uint16_t)(x1 - x0));
@@ -161,27 +162,35 @@ static bool leaves_gaps(const struct lim_spans *spans)
     return lim_share_gap_behind(spans, spans->retained->used * lim_share_cell_b(spans)) <= spans->lowest;
 }
 
-int lim_smooth_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
-                    const struct lim_rect *band, uint16_t *y)
+/* Each polygon divides a gap at most. What pass one has closed has had room for its gaps; but by scan lines it closes
+ * none. */
+static bool line_fits(const struct lim_paint *paint, const struct lim_spans *spans)
 {
+    return !LIM_IS_SCANLINE(&paint->pass->target) || paint->actives.fresh < *spans->kept;
+}
+
+int lim_smooth_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
+                    const struct lim_rect *band, struct lim_paint_stop *stop)
+{
+    bool fits = leaves_gaps(spans);
+    int err = 0;
+
     lim_actives_start(&paint->actives, spans);
-    *y = band->y0;
-    if (!leaves_gaps(spans)) return LIM_PAINT_ACTIVE;
-    while (*y < band->y1) {
-        int err = 0;
-        if (!smooth_activate(paint, spans, retained, spans->lines[*y].retained, *y)) return LIM_PAINT_ACTIVE;
-        const uint16_t lines = lim_smooth_run(paint, spans, retained, band, *y, &err);
-        if (err) return err;
-        *y = (uint16_t)(*y + lines);
-        if (lines) continue;
-        /* Each polygon divides a gap at most. What pass one has closed has had room for its gaps; but by scan lines it
-         * closes none. */
-        if (LIM_IS_SCANLINE(&paint->pass->target) && paint->actives.fresh >= *spans->kept) return LIM_PAINT_ACTIVE;
-        err = smooth_line(paint, spans, retained, band, *y);
-        if (err) return err;
-        ++*y;
+    stop->y = band->y0;
+    while (fits && stop->y < band->y1) {
+        fits = smooth_activate(paint, spans, retained, spans->lines[stop->y].retained, stop->y);
+        if (!fits) break;
+        uint16_t lines = lim_smooth_run(paint, spans, retained, band, stop->y, &err);
+        if (!err && !lines) {
+            fits = line_fits(paint, spans);
+            if (!fits) break;
+            err = smooth_line(paint, spans, retained, band, stop);
+            lines = 1;
+        }
+        if (err || stop->exhausted) return err;
+        stop->y = (uint16_t)(stop->y + lines);
     }
-    return 0;
+    return lim_paint_stops(stop, fits ? LIM_PAINT_FITS : LIM_PAINT_ACTIVE);
 }
 
 #endif

@@ -222,7 +222,7 @@ struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover)
     struct lim_view *view = &movers->movers[mover].view;
 
     if (movers->cached != mover) {
-        uint_fast16_t filled = LIM_VIEW_CACHE_ENTRIES; /* the entry of a vertex is its number, modulo that */
+        lim_index filled = LIM_VIEW_CACHE_ENTRIES; /* the entry of a vertex is its number, modulo that */
         if (movers->cached != LIM_NONE && movers->instances[movers->cached].object->vertex_count < filled)
             filled = movers->instances[movers->cached].object->vertex_count;
         while (filled)
@@ -239,7 +239,7 @@ static struct lim_box movers_box_of(const struct lim_instance *instance)
     const struct lim_scene *object = instance->object;
     const lim_index root = lim_deforms(instance) ? (lim_index)LIM_NO_INDEX : object->nodes[0].box;
     int32_t low[3], high[3];
-    struct lim_box box;
+    struct lim_box box = {.half = {0}};
 
     if (root != LIM_NO_INDEX) return object->boxes[root];
     for (uint_fast8_t i = 0; i < 3; i++)
@@ -345,6 +345,7 @@ static bool is_usable(const struct lim_movers *movers, const struct lim_instance
 
     const bool is_far = LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers); /* then these are asked by its POSE */
 
+    LIM_ASSERT(!object || !lim_scene_long(object)); /* what moves has 16 bits, in any scene */
     if (!object || !object->node_count || !object->polygon_count || (!is_far && instance->finer_bits > FINER_BITS_MAX))
         return false;
     for (uint_fast8_t i = 0; i < 3 && !is_far; i++)

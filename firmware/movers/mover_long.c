@@ -95,9 +95,9 @@ bool lim_mover_approach(struct lim_movers *movers, uint16_t mover)
     const int8_t own = (int8_t)(*instance->coarser_bits - instance->finer_bits);
     int64_t way_q8[3], own_q8[3], size_q8 = 0;
 
-    if (lim_scene_long(instance->object) || (instance->object->limits.leaf_polygons && !lim_deforms(instance)) ||
-        instance->finer_bits > -OWN_MIN || *instance->coarser_bits > OWN_MAX ||
-        !way_to_origin(way_q8, (*movers->far)->far, instance) || !eye_of_object(own_q8, way_q8, instance, own))
+    if ((instance->object->limits.leaf_polygons && !lim_deforms(instance)) || instance->finer_bits > -OWN_MIN ||
+        *instance->coarser_bits > OWN_MAX || !way_to_origin(way_q8, (*movers->far)->far, instance) ||
+        !eye_of_object(own_q8, way_q8, instance, own))
         return false;
     set_own_eye(&self->eye, instance->object, own_q8, own);
     for (uint_fast8_t i = 0; i < 3; i++)

@@ -83,12 +83,13 @@ static bool took_idle_memory(struct lim_nearest *nearest)
     return took;
 }
 
-/* Positive: a pool is exhausted (LIM_PAINT_...), and *y is the first line that is not yet painted. */
-static int paint_band(struct lim_nearest *nearest, const struct lim_rect *band, bool is_collected, uint16_t *y)
+/* Where a pool is exhausted stop->y is the first line that is not yet painted. */
+static int paint_band(struct lim_nearest *nearest, const struct lim_rect *band, bool is_collected,
+                      struct lim_paint_stop *stop)
 {
-    *y = band->y0;
-    if (!is_collected) return LIM_PAINT_ACTIVE;
-    const int err = lim_paint_band(&nearest->paint, &nearest->spans, &nearest->retained, band, y);
+    *stop = (struct lim_paint_stop){band->y0, is_collected ? LIM_PAINT_FITS : LIM_PAINT_ACTIVE};
+    if (!is_collected) return 0;
+    const int err = lim_paint_band(&nearest->paint, &nearest->spans, &nearest->retained, band, stop);
     if (took_idle_memory(nearest)) lim_view_forget(&nearest->pass->view);
     return err;
 }
@@ -96,7 +97,7 @@ static int paint_band(struct lim_nearest *nearest, const struct lim_rect *band, 
 /* How far the stack must reach, and how many polygons wait at one pixel, is not bounded where some are transparent; and
  * wireframe retains more of a polygon than the least pool was made for. The painter's order needs no pool at all: a
  * line for which any is too small is painted so. */
-static bool wants_painter(const struct lim_nearest *nearest, const struct lim_rect *band, int exhausted)
+static bool wants_painter(const struct lim_nearest *nearest, const struct lim_rect *band, enum lim_paint_pool exhausted)
 {
     if (!nearest->pass->scene->limits.layers && !lim_wireframe_of(nearest->pass) &&
         !lim_moves(lim_nearest_sorter(nearest)))
@@ -233,7 +234,7 @@ static void begin_frame(struct lim_nearest *nearest)
 }
 
 /* For what of a band could not be painted, from line band->y0 on, a pool is too small. */
-static int paint_less(struct lim_nearest *nearest, struct bands *bands, int exhausted)
+static int paint_less(struct lim_nearest *nearest, struct bands *bands, enum lim_paint_pool exhausted)
 {
     const struct lim_rect *band = &bands->band;
 
@@ -261,18 +262,16 @@ int lim_nearest_frame(struct lim_nearest *nearest, enum lim_ahead_stage stage)
     }
     bands_begin(&bands, &nearest->pass->target);
     for (;;) {
-        uint16_t y;
+        struct lim_paint_stop stop;
         if (is_collected && bands.band.y1 > nearest->bottom) shorten(nearest, &bands);
-        int err = paint_band(nearest, &bands.band, is_collected, &y);
-        if (err > 0) {
-            bands.band.y0 = y;
-            if (LIM_HAS_SCANLINE && nearest->retains_all && is_collected && err == LIM_PAINT_ACTIVE &&
-                lim_room_keep(nearest)) {
+        int err = paint_band(nearest, &bands.band, is_collected, &stop);
+        if (stop.exhausted) {
+            bands.band.y0 = stop.y;
+            if (LIM_HAS_SCANLINE && nearest->retains_all && is_collected && stop.exhausted == LIM_PAINT_ACTIVE &&
+                lim_room_keep(nearest))
                 count_band(nearest);
-                err = 0;
-            } else {
-                err = paint_less(nearest, &bands, err);
-            }
+            else
+                err = paint_less(nearest, &bands, stop.exhausted);
         } else {
             follow(&bands, &nearest->pass->target);
         }

@@ -287,14 +287,9 @@ enum lim_collected lim_collect_moving(struct lim_nearest *nearest, struct lim_vi
     const struct moving_look moving = {object, first_texture};
 
     if (!is_for_fast_path(nearest, record)) return LIM_COLLECT_SLOWLY;
-    switch (collect_fast(nearest, view, object, record, &moving)) {
-    case SLOW_PATH:
-        return LIM_COLLECT_SLOWLY;
-    case EXHAUSTED_POOL:
-        return LIM_COLLECT_EXHAUSTED;
-    default:
-        return LIM_COLLECTED;
-    }
+    const enum outcome outcome = collect_fast(nearest, view, object, record, &moving);
+    if (outcome == SLOW_PATH) return LIM_COLLECT_SLOWLY;
+    return outcome == EXHAUSTED_POOL ? LIM_COLLECT_EXHAUSTED : LIM_COLLECTED;
 }
 #endif
 

@@ -66,15 +66,10 @@ static LIM_IF_CALLED int take_mover(void *ctx, struct lim_view *view, const stru
                                     const LIM_FLASH lim_index *record, uint16_t first_texture)
 {
     struct lim_nearest *nearest = ctx;
-
-    switch (lim_collect_moving(nearest, view, object, record, first_texture)) {
-    case LIM_COLLECT_SLOWLY:
-        return LIM_MOVER_DRAW;
-    case LIM_COLLECT_EXHAUSTED:
-        return MOVER_EXHAUSTED;
-    default:
-        return nearest->spans.open_lines ? 0 : MOVER_FULL;
-    }
+    const enum lim_collected how = lim_collect_moving(nearest, view, object, record, first_texture);
+    if (how == LIM_COLLECT_SLOWLY) return LIM_MOVER_DRAW;
+    if (how == LIM_COLLECT_EXHAUSTED) return MOVER_EXHAUSTED;
+    return nearest->spans.open_lines ? 0 : MOVER_FULL;
 }
 
 /* What moves and has come to empty space. false: a pool is exhausted. */
@@ -215,7 +210,8 @@ static LIM_IF_CALLED enum lim_ahead_stage collect_some_of_tree(struct lim_neares
     lim_index what;
 
     if (!nearest->progress.record) {
-        const enum lim_route_event event = nearest->spans.open_lines ? next_of_tree(nearest, &what) : LIM_ROUTE_END;
+        if (!nearest->spans.open_lines) return LIM_AHEAD_DONE;
+        const enum lim_route_event event = next_of_tree(nearest, &what);
         if (event == LIM_ROUTE_END) return LIM_AHEAD_DONE;
         if (LIM_HAS_MOVERS && event == LIM_ROUTE_LIST)
             return collect_list(nearest, (uint16_t)what) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;

@@ -239,7 +239,7 @@ static LIM_INLINE bool list_plain(struct lim_mesh_leaf *leaf, uint8_t extent, bo
                         k = (lim_index)(record[4] - vertex);
         const bool is_plain = (head & LIM_POLYGON_COUNT) == 3 &&
                               (extent != LIM_VIEW_CLIPPED || (nearness[i] && nearness[j] && nearness[k]));
-        uint32_t mean;
+        uint32_t mean = 0;
         bool shows;
         if (!is_plain) {
             shows = by_samples ? polygon_mean(leaf, record, &mean)

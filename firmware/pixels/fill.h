@@ -19,22 +19,22 @@ static LIM_HOT_INLINE void lim_fill_pairs(lim_pixel_pair *to, uint_fast16_t pair
 {
     // clang-format off
     switch (pairs) {
-    case 16: to[15] = pair; /* fall through */
-    case 15: to[14] = pair; /* fall through */
-    case 14: to[13] = pair; /* fall through */
-    case 13: to[12] = pair; /* fall through */
-    case 12: to[11] = pair; /* fall through */
-    case 11: to[10] = pair; /* fall through */
-    case 10: to[9] = pair; /* fall through */
-    case 9: to[8] = pair; /* fall through */
-    case 8: to[7] = pair; /* fall through */
-    case 7: to[6] = pair; /* fall through */
-    case 6: to[5] = pair; /* fall through */
-    case 5: to[4] = pair; /* fall through */
-    case 4: to[3] = pair; /* fall through */
-    case 3: to[2] = pair; /* fall through */
-    case 2: to[1] = pair; /* fall through */
-    case 1: to[0] = pair; /* fall through */
+    case 16: to[15] = pair; LIM_FALL_THROUGH;
+    case 15: to[14] = pair; LIM_FALL_THROUGH;
+    case 14: to[13] = pair; LIM_FALL_THROUGH;
+    case 13: to[12] = pair; LIM_FALL_THROUGH;
+    case 12: to[11] = pair; LIM_FALL_THROUGH;
+    case 11: to[10] = pair; LIM_FALL_THROUGH;
+    case 10: to[9] = pair; LIM_FALL_THROUGH;
+    case 9: to[8] = pair; LIM_FALL_THROUGH;
+    case 8: to[7] = pair; LIM_FALL_THROUGH;
+    case 7: to[6] = pair; LIM_FALL_THROUGH;
+    case 6: to[5] = pair; LIM_FALL_THROUGH;
+    case 5: to[4] = pair; LIM_FALL_THROUGH;
+    case 4: to[3] = pair; LIM_FALL_THROUGH;
+    case 3: to[2] = pair; LIM_FALL_THROUGH;
+    case 2: to[1] = pair; LIM_FALL_THROUGH;
+    case 1: to[0] = pair; LIM_FALL_THROUGH;
     case 0: return;
     default: lim_fill_many(to, pairs, pair);
     }
@@ -48,14 +48,15 @@ static LIM_HOT_INLINE void lim_fill_inline(uint16_t *line, int_fast16_t x0_px, i
 
     line[x0_px] = line[last_px] = colour; /* the halves of words at the ends, if there are such */
     if (last_px - x0_px < 2) return;
-    lim_fill_pairs((lim_pixel_pair *)line + from, (uint_fast16_t)(to - from), (uint32_t)colour << 16 | colour);
+    lim_fill_pairs((lim_pixel_pair *)__builtin_assume_aligned(line, 4) + from, (uint_fast16_t)(to - from),
+                   (uint32_t)colour << 16 | colour);
 }
 
 /* lim_fill() from pixel 0 on: a whole line, mostly. */
 static inline void lim_fill_line(uint16_t *line, uint16_t n_px, uint16_t colour)
 {
     if (n_px >= 32 && n_px % 2 == 0)
-        lim_fill_many((lim_pixel_pair *)line, n_px / 2, (uint32_t)colour << 16 | colour);
+        lim_fill_many(__builtin_assume_aligned(line, 4), n_px / 2, (uint32_t)colour << 16 | colour);
     else
         lim_fill(line, 0, n_px, colour);
 }

@@ -35,14 +35,14 @@ static LIM_INLINE void texels_paint_long(uint16_t *to, const uint16_t *end, uint
     to -= skipped;
     // clang-format off
     switch (skipped) {
-        do {
-    case 0: LIM_TEXEL_NEXT(0); /* fall through */
-    case 1: LIM_TEXEL_NEXT(1); /* fall through */
-    case 2: LIM_TEXEL_NEXT(2); /* fall through */
-    case 3: LIM_TEXEL_NEXT(3); /* fall through */
-    case 4: LIM_TEXEL_NEXT(4); /* fall through */
-    case 5: LIM_TEXEL_NEXT(5); /* fall through */
-    case 6: LIM_TEXEL_NEXT(6); /* fall through */
+        do { LIM_FALL_THROUGH;
+    case 0: LIM_TEXEL_NEXT(0); LIM_FALL_THROUGH;
+    case 1: LIM_TEXEL_NEXT(1); LIM_FALL_THROUGH;
+    case 2: LIM_TEXEL_NEXT(2); LIM_FALL_THROUGH;
+    case 3: LIM_TEXEL_NEXT(3); LIM_FALL_THROUGH;
+    case 4: LIM_TEXEL_NEXT(4); LIM_FALL_THROUGH;
+    case 5: LIM_TEXEL_NEXT(5); LIM_FALL_THROUGH;
+    case 6: LIM_TEXEL_NEXT(6); LIM_FALL_THROUGH;
     case 7: LIM_TEXEL_NEXT(7);
             to += 8;
         } while (to != end);
@@ -97,14 +97,14 @@ static LIM_INLINE void lim_texels_paint_sized(uint16_t *end, uint_fast16_t n, ui
     switch (n) {
     default: texels_paint_long(end - n, end, n, place, texels, palette, rows_mask, step, w_bits);
              return;
-    case 0: /* fall through */
-    case 8: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 8); /* fall through */
-    case 7: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 7); /* fall through */
-    case 6: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 6); /* fall through */
-    case 5: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 5); /* fall through */
-    case 4: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 4); /* fall through */
-    case 3: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 3); /* fall through */
-    case 2: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 2); /* fall through */
+    case 0:
+    case 8: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 8); LIM_FALL_THROUGH;
+    case 7: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 7); LIM_FALL_THROUGH;
+    case 6: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 6); LIM_FALL_THROUGH;
+    case 5: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 5); LIM_FALL_THROUGH;
+    case 4: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 4); LIM_FALL_THROUGH;
+    case 3: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 3); LIM_FALL_THROUGH;
+    case 2: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 2); LIM_FALL_THROUGH;
     case 1: LIM_TEXEL_NEXT(LIM_TEXELS_BACK - 1);
     }
     // clang-format on

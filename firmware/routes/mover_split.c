@@ -213,7 +213,7 @@ static struct lim_reach reach_of(const struct lim_sorter *sorter, uint16_t entry
 {
     const struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
     const struct lim_mover *mover = &sorter->movers->movers[polygon->owner];
-    struct lim_reach reach;
+    struct lim_reach reach = {.low_q12 = {0}};
 
     for (uint_fast8_t i = 0; i < 3; i++) {
         reach.low_q12[i] = polygon->has_extent ? polygon->extent.low[i] * (INT32_C(1) << 13)
@@ -228,7 +228,7 @@ static struct lim_reach reach_of(const struct lim_sorter *sorter, uint16_t entry
 static struct lim_reach reach_beside(const struct lim_movers *movers, uint16_t mover, uint16_t beside)
 {
     const struct lim_instance *instance = &movers->instances[mover], *axes = &movers->instances[beside];
-    struct lim_reach reach;
+    struct lim_reach reach = {.low_q12 = {0}};
     int32_t away_q12[3];
 
     for (uint_fast8_t i = 0; i < 3; i++)

@@ -70,11 +70,11 @@ static inline bool lim_bound_is_seldom_before(const struct lim_bound *a, const s
 /* What two strips have in common; `strip` may have rows that end before they begin. */
 static inline struct lim_strip lim_strip_common(const struct lim_strip *strip, const struct lim_strip *open)
 {
-    struct lim_strip common;
+    struct lim_strip common = *strip;
 
     for (uint_fast8_t i = 0; i < 2; i++) {
-        common.left.rows[i] = pair_min(pair_max(strip->left.rows[i], open->left.rows[i]), open->right.rows[i]);
-        common.right.rows[i] = pair_min(pair_max(strip->right.rows[i], common.left.rows[i]), open->right.rows[i]);
+        common.left.rows[i] = pair_min(pair_max(common.left.rows[i], open->left.rows[i]), open->right.rows[i]);
+        common.right.rows[i] = pair_min(pair_max(common.right.rows[i], common.left.rows[i]), open->right.rows[i]);
     }
     return common;
 }

@@ -240,6 +240,7 @@ static bool is_in_range(const int32_t at_q8[3])
 int lim_trace(const struct lim_solid *solid, const int32_t from_q8[3], const int32_t to_q8[3], uint8_t flags,
               struct lim_hit *hit)
 {
+    LIM_ASSERT(solid && from_q8 && to_q8 && hit);
     struct ray ray = {.scene = solid->scene, .hit = hit, .backs = flags & LIM_STOP_BACKS};
     struct lim_descent descent;
     const LIM_FLASH struct lim_node *node;

@@ -125,6 +125,7 @@ int lim_slide_by(const struct lim_solid *solid, const int32_t half_q8[3], int32_
 int lim_slide(const struct lim_solid *solid, const int32_t half_q8[3], int32_t at_q8[3], const int32_t way_q8[3],
               uint8_t flags)
 {
+    LIM_ASSERT(solid && half_q8 && at_q8 && way_q8);
     int32_t to_q8[3] = {at_q8[0], at_q8[1], at_q8[2]};
 
     for (uint_fast8_t i = 0; i < 3; i++)

@@ -109,6 +109,7 @@ static bool is_walker_in_range(const struct lim_walker *walker, int32_t x_q8, in
 
 int lim_walker_move(const struct lim_solid *solid, struct lim_walker *walker, int32_t x_q8, int32_t z_q8)
 {
+    LIM_ASSERT(solid && walker);
     const int32_t way_q8[3] = {x_q8, 0, z_q8};
     struct lim_walker moved = *walker;
     struct stride stride = {.solid = solid};

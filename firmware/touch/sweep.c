@@ -160,6 +160,7 @@ static bool sweep_until_free(struct sweep *sweep, const struct lim_solid *solid,
 int lim_sweep(const struct lim_solid *solid, const int32_t half_q8[3], const int32_t from_q8[3], const int32_t to_q8[3],
               uint8_t flags, struct lim_hit *hit)
 {
+    LIM_ASSERT(solid && half_q8 && from_q8 && to_q8 && hit);
     struct sweep sweep = {.box.scene = solid->scene, .backs = flags & LIM_STOP_BACKS};
 
     if (!is_body_in_range(half_q8, from_q8, to_q8)) return LIM_ERR_CAMERA;

@@ -27,9 +27,9 @@ static void watch(int signal_number)
 
 void interrupt_watch(void)
 {
-    watch(SIGHUP);
-    watch(SIGINT);
-    watch(SIGTERM);
+    static const int watched[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
+    for (size_t i = 0; i < sizeof watched / sizeof watched[0]; i++)
+        watch(watched[i]);
 }
 
 int interrupt_signal(void)

@@ -9,7 +9,8 @@
 
 HAL_C_BEGIN
 
-/* From now on SIGHUP, SIGINT and SIGTERM no longer end the process by themselves. */
+/* From now on no signal that would end the process, and can be noted, does so by itself: SIGHUP, SIGINT, SIGQUIT,
+ * SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2 and SIGXCPU. */
 void interrupt_watch(void);
 
 /* Which one has arrived, or 0. */

@@ -6,12 +6,14 @@
 #include "accuracy/compare.h"
 #include "accuracy/moving_reference.h"
 #include "base/deadline.h"
+#include "base/grow.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
 #include "render/ids.h"
 #include "scene/moving.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static const double SHARE = 0.5; /* of the time that is left */
 enum { HELD_OUT_SEED = 77 };
@@ -153,16 +155,37 @@ static bool predict(struct predicting *predicting, const struct compiled *const 
     return ok;
 }
 
+/* A wrong pixel counts for the face that it shows and for the one that it should. */
+static void find_worst_face(const uint32_t *wrong_of_face, size_t face_count, size_t wrong, struct predicted *out)
+{
+    for (size_t i = 1; i <= face_count; i++)
+        if (wrong_of_face[i] && (!out->worst_face || wrong_of_face[i] > wrong_of_face[out->worst_face]))
+            out->worst_face = (uint32_t)i;
+    if (out->worst_face) out->worst_face_percent = 100.0 * wrong_of_face[out->worst_face] / (double)wrong;
+}
+
+static size_t wrong_in_all(const struct candidate *candidate)
+{
+    size_t wrong = 0;
+    for (int kind = 0; kind < VIEW_KINDS; kind++)
+        wrong += candidate->sums[kind].total.wrong;
+    return wrong;
+}
+
 bool predict_wrong(const struct compiled *scene, const struct core *core, struct reference *reference,
-                   const uint32_t *groups, struct predicted *out, struct error *err)
+                   const uint32_t *groups, size_t face_count, struct predicted *out, struct error *err)
 {
     struct predicting predicting = {.reference = reference, .groups = groups};
+    uint32_t *wrong_of_face = grow_zeroed(face_count + 1, sizeof *wrong_of_face);
     const int near_count = scene->original ? PREDICT_CAMERAS / 2 : 0;
     const int counts[VIEW_KINDS] = {PREDICT_CAMERAS - near_count, near_count, 0};
     const struct deadline_end whole = deadline_share(SHARE);
+    predicting.candidates[0].wrong_of_face = wrong_of_face;
     const bool ok = predict(&predicting, &scene, 1, counts, core, out, err);
+    if (ok) find_worst_face(wrong_of_face, face_count, wrong_in_all(&predicting.candidates[0]), out);
     deadline_say("a report without predicted wrong pixels");
     deadline_restore(whole);
+    free(wrong_of_face);
     return ok;
 }
 

@@ -14,10 +14,11 @@ enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48, PREDICT_SCENES_MAX = 4 };
 
 /* `reference` holds the source polygons for pictures of PREDICT_SIDE_PX; `groups` as in compare.h. A scene that does
  * not know its original has all cameras anywhere. What moves in it (scene->moving) is elsewhere in each frame, and half
- * of the latter cameras look at it. Where there is no free space for one kind of camera, there are fewer.
+ * of the latter cameras look at it. Where there is no free space for one kind of camera, there are fewer. face_count:
+ * of the model's file.
  */
 bool predict_wrong(const struct compiled *scene, const struct core *core, struct reference *reference,
-                   const uint32_t *groups, struct predicted *out, struct error *err);
+                   const uint32_t *groups, size_t face_count, struct predicted *out, struct error *err);
 
 /* The same for several scenes of one model, up to PREDICT_SCENES_MAX, on the same cameras each, which nothing was tuned
  * on; half as many again are portraits. The first scene says where free space is. Out of time: .percent is NaN. */

@@ -118,12 +118,11 @@ static void line_interval(const struct reference_edge *edges, uint32_t count, co
         --*x1_px;
 }
 
-/* Equal depths, give or take rounding, go to the lower face number. */
-static bool is_nearer(double depth_m, uint32_t face, double best_m, uint32_t best_face)
+/* Of faces in one plane, give or take rounding, the later in the file lies over the earlier. */
+static bool is_nearer(double depth_m, const struct reference_polygon *polygon, double best_m, uint32_t best_face)
 {
-    const double tie = 1e-9;
-    if (depth_m < best_m * (1.0 - tie)) return true;
-    return depth_m <= best_m * (1.0 + tie) && face < best_face;
+    if (depth_m < best_m * (1.0 - polygon->level_share)) return true;
+    return depth_m <= best_m * (1.0 + polygon->level_share) && polygon->face > best_face;
 }
 
 static void draw_line(struct reference *reference, const struct reference_polygon *polygon,
@@ -134,7 +133,7 @@ static void draw_line(struct reference *reference, const struct reference_polygo
         size_t pixel = (size_t)y_px * reference->w_px + (size_t)x_px;
         double inverse = edge_at(&polygon->inverse_depth, pixel_u(view, x_px), v);
         if (!(inverse > 0.0 && inverse * view->near_m <= 1.0)) continue;
-        if (!is_nearer(1.0 / inverse, polygon->face, reference->depths_m[pixel], reference->faces[pixel])) continue;
+        if (!is_nearer(1.0 / inverse, polygon, reference->depths_m[pixel], reference->faces[pixel])) continue;
         reference->depths_m[pixel] = 1.0 / inverse;
         reference->faces[pixel] = polygon->face;
         if (reference->mappings) reference->mappings[pixel] = polygon->mapping;
@@ -146,6 +145,7 @@ static double set_plane(struct reference_polygon *polygon, const struct referenc
 {
     const double offset_m = polygon->offset_m - dot(polygon->normal, view->eye_m);
     polygon->inverse_depth = edge_from_vector(view, polygon->normal, 1.0 / offset_m);
+    polygon->level_share = view->level_m * sqrt(dot(polygon->normal, polygon->normal)) / fabs(offset_m);
     return offset_m;
 }
 
@@ -196,6 +196,7 @@ void reference_draw_shifted(struct reference *reference, const struct viewpoint 
     viewpoint_axes(viewpoint, &axes);
     struct reference_view *view = &reference->view;
     *view = (struct reference_view){.near_m = lens->near_m,
+                                    .level_m = reference->level_m,
                                     .w_px = (int)reference->w_px,
                                     .h_px = (int)reference->h_px,
                                     .shift_px = {shift_px[0], shift_px[1]}};

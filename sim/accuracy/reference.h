@@ -19,7 +19,7 @@ struct reference_view {
     double eye_m[3];
     double right[3], up[3]; /* scaled by the half-sizes of the picture: their length is tan_x, tan_y */
     double forward[3];
-    double near_m;
+    double near_m, level_m;
     int w_px, h_px;
     double shift_px[2]; /* of the rays from the pixels' centres, to the right and down, within half a pixel */
 };
@@ -30,6 +30,7 @@ struct reference {
     size_t polygon_count;
     double (*own_points)[3]; /* the same points before a mover's pose */
     size_t point_count;
+    double level_m; /* planes that are no farther apart are one: what doubles tell of the largest coordinate */
     uint32_t corners_max;
     struct reference_edge *edges; /* of one polygon at a time */
     unsigned w_px, h_px;

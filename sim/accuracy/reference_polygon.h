@@ -19,6 +19,7 @@ struct reference_polygon {
     size_t mover; /* 0: none */
     bool two_sided;
     double normal[3], offset_m;          /* normal . p = offset_m; not of unit length */
+    double level_share;                  /* of a depth, in the frame being drawn: as much apart is in one plane */
     struct reference_edge inverse_depth; /* of the plane, for the frame being drawn */
     double depth_min_m, depth_max_m;     /* of the corners, the same */
 };

@@ -8,8 +8,11 @@
 #include "readers/model_read.h"
 #include "readers/source.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+static const double LEVEL_SHARE = 0x1p-40;
 
 /* Newell's normal: the sum over all edges, so that no three corners are singled out. */
 static void polygon_plane(struct reference_polygon *polygon, double (*points)[3])
@@ -46,6 +49,8 @@ static void copy_polygons(struct reference *reference, const struct mesh *mesh, 
             const double *point = mesh->points[mesh->corners[from->first + i]];
             memcpy(reference->points[first + i], point, sizeof reference->points[0]);
             memcpy(reference->own_points[first + i], point, sizeof reference->own_points[0]);
+            for (int axis = 0; axis < 3; axis++)
+                reference->level_m = fmax(reference->level_m, fabs(point[axis]) * LEVEL_SHARE);
         }
         polygon_plane(to, &reference->points[first]);
         reference->point_count += from->count;

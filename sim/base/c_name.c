@@ -3,6 +3,8 @@
  * File names may hold anything, C identifiers may not. */
 #include "base/c_name.h"
 
+#include "base/printable.h"
+
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -28,6 +30,18 @@ bool c_name_init(struct c_name *name, const char *path, struct error *err)
         name->macro[i] = (char)toupper((unsigned char)name->symbol[i]);
     }
     return true;
+}
+
+bool c_name_map(char *path)
+{
+    char *slash = strrchr(path, '/'), *to = slash ? slash + 1 : path;
+    bool mapped = false;
+    for (size_t length, i = 0; to[i]; i += length)
+        if (printable_at(to + i, &length) != PRINTABLE || strchr("\"'\\?", to[i])) {
+            memset(to + i, '_', length);
+            mapped = true;
+        }
+    return mapped;
 }
 
 bool c_path(char out[C_PATH_MAX_B], const char *path, const char *suffix, struct error *err)

@@ -19,6 +19,11 @@ struct c_name {
  * Refuses a folder, and what is too long. */
 bool c_name_init(struct c_name *name, const char *path, struct error *err);
 
+/* Makes a file of the path one that `#include "..."` can name wherever C is compiled, in place: of its last part,
+ * quotes, backslashes, question marks (trigraphs), and what cannot be shown, become '_'. Whether there was such a
+ * thing. */
+bool c_name_map(char *path);
+
 /* PATH and a suffix; refuses what is too long. */
 bool c_path(char out[C_PATH_MAX_B], const char *path, const char *suffix, struct error *err);
 

@@ -23,6 +23,7 @@ static double system_now_s(void)
 
 static double (*clock_now_s)(void) = system_now_s;
 static double limit_s, began_s, end_s = INFINITY;
+static bool is_given; /* by the command line */
 
 void deadline_set_clock(double (*now_s)(void))
 {
@@ -40,6 +41,7 @@ bool deadline_parse(const char *text, double *limit, struct error *err)
 {
     const char *name = "--time-limit";
     *limit = DEADLINE_DEFAULT_S;
+    is_given = text != NULL;
     if (!text) {
         name = "LIMNER_TIME_LIMIT";
         text = getenv(name);
@@ -49,15 +51,29 @@ bool deadline_parse(const char *text, double *limit, struct error *err)
     return (*limit >= 0.0 && isfinite(*limit)) || error_set(err, "%s %s: seconds, or 0 for no limit", name, text);
 }
 
+void deadline_only_if_given(void)
+{
+    if (!is_given) deadline_begin(0.0);
+}
+
 bool deadline_is_set(void)
 {
     return !isinf(end_s);
 }
 
+static size_t cuts;
+
 bool deadline_passed(void)
 {
     progress_beat();
-    return !isinf(end_s) && clock_now_s() >= end_s;
+    const bool has_passed = !isinf(end_s) && clock_now_s() >= end_s;
+    cuts += has_passed;
+    return has_passed;
+}
+
+size_t deadline_cuts(void)
+{
+    return cuts;
 }
 
 /* A stretch may have had a part of the time only. */

@@ -20,11 +20,17 @@ void deadline_begin(double limit_s);
 /* The option's value, or without one (NULL) that of LIMNER_TIME_LIMIT in the environment, or the default. */
 bool deadline_parse(const char *text, double *limit_s, struct error *err);
 
+/* Of work that waits for others: no limit but one that the command line has given. */
+void deadline_only_if_given(void);
+
 /* Whether there is a limit. */
 bool deadline_is_set(void);
 
 /* Whether loops should end, because time is over. Some 30 ns. */
 bool deadline_passed(void);
+
+/* How often somebody has been told so: what is made meanwhile may hang on the machine's speed. */
+size_t deadline_cuts(void);
 
 /* An error if they should. `doing` says what is not finished: "no tree of 500 polygons so far". */
 bool deadline_check(struct error *err, const char *doing, ...) __attribute__((format(printf, 2, 3)));

@@ -17,7 +17,7 @@
 
 enum { CHILD_WAITS = 50, CHILD_WAIT_MS = 20 };
 
-static const int WATCHED[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU};
+static const int WATCHED[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
 enum { WATCHED_COUNT = sizeof WATCHED / sizeof WATCHED[0] };
 
 struct leftover {

@@ -1,17 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * Error lines. Whatever the parts say (file names and library messages may hold anything), the
- * result is one line: control characters become spaces. */
+ * result is one line that can be shown (printable.h). */
 #include "base/error.h"
+
+#include "base/printable.h"
 
 #include <stdarg.h>
 #include <stdio.h>
-
-static void keep_one_line(char *text)
-{
-    for (; *text; text++)
-        if ((unsigned char)*text < ' ' || *text == 0x7F) *text = ' ';
-}
 
 bool error_set(struct error *err, const char *format, ...)
 {
@@ -19,7 +15,7 @@ bool error_set(struct error *err, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(err->text, sizeof err->text, format, arguments);
     va_end(arguments);
-    keep_one_line(err->text);
+    printable(err->text);
     return false;
 }
 

@@ -14,7 +14,7 @@ struct error {
 };
 
 /* Sets the text, printf-style, and returns false, so that callers can `return error_set(...)`.
- * Control characters become spaces: the text stays one line. */
+ * What cannot be shown is replaced (printable.h): the text stays one line. */
 bool error_set(struct error *err, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Puts "thing: " in front of the text, for callers who know the file where the callee did not.

@@ -4,6 +4,7 @@
 #include "base/input_file.h"
 
 #include "base/grow.h"
+#include "base/inputs.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -28,6 +29,7 @@ static int check(int descriptor, const char *path, size_t most_b, struct stat *a
     if (ok && !S_ISREG(about->st_mode)) ok = error_set(err, "%s: %s", path, what_it_is(about->st_mode));
     if (ok && (unsigned long long)about->st_size > most_b)
         ok = error_set(err, "%s: more than %zu bytes: %lld", path, most_b, (long long)about->st_size);
+    if (ok) inputs_note_file(about);
     if (ok) return descriptor;
     close(descriptor);
     errno = S_ISDIR(about->st_mode) ? EISDIR : EINVAL;
@@ -63,7 +65,10 @@ static bool names_open_file(const char *path)
 FILE *input_open_stream(const char *path, struct error *err)
 {
     struct stat about;
-    if (strcmp(path, "-") == 0) return stdin;
+    if (strcmp(path, "-") == 0) {
+        if (fstat(STDIN_FILENO, &about) == 0) inputs_note_file(&about);
+        return stdin;
+    }
     if (!names_open_file(path)) return input_open(path, SIZE_MAX, NULL, err);
     int descriptor = open(path, O_RDONLY | O_NOCTTY | O_CLOEXEC); /* a pipe that is open already: returns */
     if (descriptor < 0) error_set(err, "%s: %s", path, strerror(errno));
@@ -75,6 +80,12 @@ FILE *input_open_stream(const char *path, struct error *err)
 void input_close_stream(FILE *file)
 {
     if (file && file != stdin) fclose(file);
+}
+
+bool input_is_regular(FILE *file)
+{
+    struct stat about;
+    return fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode);
 }
 
 /* Lines -------------------------------------------------------------------------------------- */

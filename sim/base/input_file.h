@@ -2,7 +2,7 @@
  *
  * Files that a command reads: regular ones, whose size is known and bounded before memory is asked for, and lines of
  * bounded length. What is opened is looked at, not its name: pipes, devices and folders neither hang nor go on forever.
- */
+ * What is opened is noted (inputs.h). */
 #ifndef SIM_INPUT_FILE_H
 #define SIM_INPUT_FILE_H
 
@@ -19,6 +19,9 @@ FILE *input_open(const char *path, size_t most_b, size_t *size_b, struct error *
  * input_close_stream(). */
 FILE *input_open_stream(const char *path, struct error *err);
 void input_close_stream(FILE *file);
+
+/* Whether its end is there already: no pipe, and no terminal. */
+bool input_is_regular(FILE *file);
 
 struct input_lines {
     FILE *file;

@@ -5,8 +5,8 @@
 #ifndef SIM_NOTICE_H
 #define SIM_NOTICE_H
 
-/* One line on standard error, after the program's name; printf-style, without a newline. Control characters become
- * spaces. */
+/* One line on standard error, after the program's name; printf-style, without a newline. What cannot be shown is
+ * replaced (printable.h). */
 void notice(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 #endif

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/progress.h"
 
+#include "base/printable.h"
+
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -8,7 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { PERCENT = 100, EVERY_S = 10 };
+enum { PERCENT = 100, EVERY_S = 10, TEXT_B = 1024 };
 
 #define CLEAR_LINE "\r\x1B[K"
 
@@ -43,8 +45,16 @@ void progress_beat(void)
 static void take(const char *format, va_list arguments)
 {
     vsnprintf(doing, sizeof doing, format, arguments);
+    printable(doing);
     if (!told_s) told_s = now_s();
     progress_beat();
+}
+
+static void put(const char *format, va_list arguments)
+{
+    char text[TEXT_B];
+    vsnprintf(text, sizeof text, format, arguments);
+    fputs(printable(text), stderr);
 }
 
 void progress(const char *format, ...)
@@ -53,7 +63,7 @@ void progress(const char *format, ...)
     va_start(arguments, format);
     if (isatty(STDERR_FILENO)) {
         fputs(CLEAR_LINE, stderr);
-        vfprintf(stderr, format, arguments);
+        put(format, arguments);
     } else {
         take(format, arguments);
     }

@@ -3,6 +3,8 @@
  * Libraries say themselves which version is loaded; of libgpiod it is known for which it was built. */
 #include "base/versions.h"
 
+#include "agree.h"
+
 #include <archive.h>
 #include <assimp/version.h>
 #include <gd.h>
@@ -19,6 +21,14 @@
 #ifndef LIM_SOURCES
 #define LIM_SOURCES ""
 #endif
+
+#define TEXT(x) #x
+#define VERSION(x) TEXT(x)
+
+const char *versions_program(void)
+{
+    return VERSION(LIM_VERSION_MAJOR) "." VERSION(LIM_VERSION_MINOR) "." VERSION(LIM_VERSION_PATCH) " " LIM_SOURCES;
+}
 
 static void print_window_library(FILE *out)
 {

@@ -10,4 +10,7 @@
  * user. */
 void versions_print(FILE *out);
 
+/* The program's version, and what `git describe` said of its sources, if anything: "0.1.0 v0.1.0-5-gabcdef". */
+const char *versions_program(void);
+
 #endif

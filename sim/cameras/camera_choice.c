@@ -4,6 +4,7 @@
 #include "cameras/camera_choice.h"
 
 #include "base/parse.h"
+#include "cameras/gltf_cameras.h"
 #include "cameras/level_path_cameras.h"
 #include "cameras/random_path.h"
 #include "levels/level_path.h"
@@ -43,6 +44,8 @@ bool camera_choice_read(const struct camera_choice *choice, struct camera_path *
 {
     if (!choice->text || choice->random_count > 0) return true;
     if (level_path_parse(choice->text, NULL)) return level_path_cameras(choice->text, 0, out, err);
+    if (gltf_cameras_are_named(choice->text))
+        return gltf_cameras_read(choice->text, choice->z_is_up, choice->fov_deg, out, err);
     return camera_path_read(choice->text, out, err) && (choice->takes_times || camera_path_is_timeless(out, err));
 }
 

@@ -15,10 +15,12 @@ struct camera_choice {
     const char *level;   /* the model, if it is a map of a WAD: without text not an orbit, but its players and things */
     bool takes_times;    /* a file's cameras may have times of their own; else they are refused */
     uint32_t seed;       /* of the random ones */
+    bool z_is_up;        /* in a glTF file, as in its model: --up z */
+    double fov_deg;      /* what is shown, from top to bottom: a glTF file's cameras may have others */
 };
 
 /* --camera FILE, random:SEED[:FRAMES] or near:SEED[:FRAMES]; a file of such a name is ./random:1. A FILE may be a map
- * of a WAD (levels/level_path.h): its players and things. */
+ * of a WAD (levels/level_path.h): its players and things; or a glTF file: its cameras. */
 bool camera_choice_parse(const char *text, struct camera_choice *out, struct error *err);
 
 /* Reads the file, if it is one: before the scene is compiled, since that takes longer than to see a mistake. */

@@ -434,6 +434,12 @@ double lens_forced_near_m(const struct grid *grid)
     return near_m > lens_usual_near_m(grid) ? near_m : 0.0;
 }
 
+/* What brings the near plane nearer, to so small a share of its distance. Of 2^30 units one is 2^14 times smaller. */
+static const char *nearer_by(const struct grid *grid, double share)
+{
+    return grid->is_long || share < 0x1p-13 ? "split the model into several scenes" : "take --coordinates 32";
+}
+
 bool lens_for_grid(struct lens *lens, double fov_deg, double near_m, const struct grid *grid, unsigned w_px,
                    unsigned h_px, struct error *err)
 {
@@ -443,8 +449,8 @@ bool lens_for_grid(struct lens *lens, double fov_deg, double near_m, const struc
     if (near_m > 0.0 && near_m < least_m)
         return error_set(err,
                          "--near %g: nothing nearer than %.3g m can be drawn on a grid with units of %.3g m, by this "
-                         "lens; split the model into several scenes",
-                         near_m, least_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m);
+                         "lens; %s",
+                         near_m, least_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m, nearer_by(grid, near_m / least_m));
     lens->near_m = fmax(lens->near_m, least_m);
     return true;
 }
@@ -454,8 +460,9 @@ void lens_note_near(const char *model_path, const struct grid *grid)
     const double near_m = lens_forced_near_m(grid);
     if (near_m > 0.0)
         notice("%s: nothing nearer to the eye than %.3g m is drawn, because its grid has units of %.3g m; for eyes "
-               "that come nearer, split the model into several scenes",
-               model_path, near_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m);
+               "that come nearer, %s",
+               model_path, near_m * LENS_PRINTED_UP, 1.0 / grid->units_per_m,
+               nearer_by(grid, lens_usual_near_m(grid) / near_m));
 }
 
 static uint32_t turn_from_radians(double radians)
@@ -470,17 +477,28 @@ void camera_put(struct lim_camera *camera, int axis, double eye_units, const str
     camera->eye_q8[axis] = (int32_t)(eye_q8 - 256.0 * camera->origin[axis]);
 }
 
+static double eye_end_units(const struct grid *grid)
+{
+    return grid->is_long ? LIM_LONG_EYE_END - 1 : EYE_END_Q8 / 256.0;
+}
+
+double camera_eye_end_m(const struct grid *grid)
+{
+    return (eye_end_units(grid) - 1) / grid->units_per_m;
+}
+
 bool camera_path_to_camera(const struct camera_path *path, size_t frame, const struct lens *lens,
                            const struct grid *grid, struct lim_camera *camera, struct error *err)
 {
     const struct viewpoint *viewpoint = &path->frames[frame];
-    const double end_units = grid->is_long ? LIM_LONG_EYE_END - 1 : EYE_END_Q8 / 256.0;
+    const double end_units = eye_end_units(grid);
     const double near_max_q8 = grid->is_long ? LIM_LONG_NEAR_MAX_Q8 : NEAR_MAX_Q8;
     for (int i = 0; i < 3; i++) {
         const double eye_units = (viewpoint->eye_m[i] - grid->origin_m[i]) * grid->units_per_m;
         if (!(fabs(round(eye_units * 256.0)) < end_units * 256.0))
-            return error_set(err, "%s:%zu: the eye is too far from the scene; %.6g m from its middle is the limit",
-                             path->name, viewpoint->line, end_units / grid->units_per_m);
+            return error_set(err, "%s:%zu: the eye is too far from the scene; %.6g m from its middle is the limit%s",
+                             path->name, viewpoint->line, end_units / grid->units_per_m,
+                             grid->is_long ? "" : ", farther with --coordinates 32");
         camera_put(camera, i, eye_units, grid);
     }
     double near_q8 = round(lens->near_m * grid->units_per_m * 256.0);

@@ -105,6 +105,9 @@ void viewpoint_axes(const struct viewpoint *viewpoint, struct view_axes *axes);
 /* Puts the eye somewhere along an axis, in the scene's units; it must be in range. */
 void camera_put(struct lim_camera *camera, int axis, double eye_units, const struct grid *grid);
 
+/* Eyes are nearer than that to the grid's origin, along each axis. */
+double camera_eye_end_m(const struct grid *grid);
+
 /* Rounds to nearest; refuses, naming the line, an eye or near plane out of the renderer's range. */
 bool camera_path_to_camera(const struct camera_path *path, size_t frame, const struct lens *lens,
                            const struct grid *grid, struct lim_camera *camera, struct error *err);

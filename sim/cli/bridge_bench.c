@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/bridge_bench.h"
 
+#include "linux/code_words.h"
+
 #include <stdlib.h>
 
 static bool open_port(struct bridge_bench *bench, struct error *err)
@@ -41,7 +43,7 @@ struct bridge_cost bridge_bench_cost(const struct bridge_bench *bench)
 bool bridge_bench_check(const struct bridge_bench *bench, const struct panel_choice *choice, int code,
                         struct error *err)
 {
-    if (code) return error_set(err, "emulated %s: the driver failed with %d", choice->name, code);
+    if (code) return error_set(err, "emulated %s: %s (%d)", choice->name, code_words(code), code);
     if (bench->bridge.chip.complaints) return error_set(err, "emulated MCP2210: %s", bench->bridge.chip.complaint);
     return emulated_display_is_quiet(&bench->glass, err);
 }

@@ -3,6 +3,7 @@
 
 #include "cli/bridge_bench.h"
 #include "cli/options.h"
+#include "linux/code_words.h"
 #include "render/simulator.h"
 #include "scene/moving.h"
 
@@ -27,12 +28,12 @@ static bool open_screen(struct flown *flown, struct error *err)
     flown->lines = malloc(lines_b);
     if (!flown->lines) return error_set(err, "bridge: out of memory");
     const int code = screen_init(&flown->screen, panel, LIM_NEAREST_FIRST, flown->lines, lines_b);
-    return code == 0 || error_set(err, "bridge: the screen failed with %d", code);
+    return code == 0 || error_set(err, "bridge: %s (%d)", code_words(code), code);
 }
 
 static bool open_scene(struct flown *flown, struct error *err)
 {
-    const struct options *options = &flown->options;
+    struct options *options = &flown->options;
     struct moving *moving = &flown->moving;
     return options_load(options, &flown->scene, moving, &flown->lens, &flown->path, err) &&
            simulator_init_to(&flown->simulator, &flown->scene.scene, &options->setup, &flown->screen.target, err) &&

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "displays/idle_options.h"
 #include "glass/listener.h"
+#include "linux/code_words.h"
 #include "pictures/frame_file.h"
 #include "pictures/hash_list.h"
 #include "pictures/hashes.h"
@@ -50,7 +51,7 @@ static bool draw(struct card *card, struct error *err)
     int code = panel_init(card->display.panel);
     if (!code) code = screen_init(&card->screen, card->display.panel, LIM_NEAREST_FIRST, card->lines, lines_b);
     if (!code) code = card_draw(&card->screen, card->display.camera_turn);
-    if (code) return error_set(err, "emulated %s: the driver failed with %d", choice->panel.name, code);
+    if (code) return error_set(err, "emulated %s: %s (%d)", choice->panel.name, code_words(code), code);
     return emulated_display_is_quiet(&card->listener->display, err);
 }
 

@@ -2,7 +2,6 @@
  *
  * `limner compare`: every visibility method on one model and its cameras. The table goes to standard output; with
  * -o, it, its CSV and pictures of what is wrong go to a folder, all or none. */
-#include "base/outputs.h"
 #include "base/progress.h"
 #include "base/work_folder.h"
 #include "cli/commands.h"
@@ -10,6 +9,7 @@
 #include "core/core.h"
 #include "measure/compare_methods.h"
 #include "measure/difference.h"
+#include "outputs/outputs.h"
 #include "pictures/image.h"
 
 #include <stdio.h>

@@ -3,9 +3,10 @@
  * limner compile MODEL... -o NAME: writes NAME.c, NAME.h and NAME.lim, all or none, and says what the
  * scene costs. Of several models each becomes NAME_MODEL.c and .lim; they share NAME.h. What is said is a summary that
  * ends with what to do next, or with --report all that there is to say. */
-#include "base/written.h"
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "cli/compile_request.h"
+#include "outputs/written.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,10 +42,11 @@ static bool moves(const struct compile_result *result)
 static void print_next(const struct compile_request *request, const struct compile_result *result)
 {
     const char *scene = moves(result) ? request->models[0] : result->names[0];
-    printf("  %-14s limner render %s%s --gif %s.gif shows it\n", "next", scene, moves(result) ? "" : ".lim",
-           result->names[0]);
-    printf("  %-14s limner export %s --for pico -o FOLDER makes a project of it; --report tells all the rest\n", "",
-           request->models[0]);
+    printable_print(stdout, "  %-14s limner render %s%s --gif %s.gif shows it\n", "next", scene,
+                    moves(result) ? "" : ".lim", result->names[0]);
+    printable_print(
+        stdout, "  %-14s limner export %s --for pico -o FOLDER makes a project of it; --report tells all the rest\n",
+        "", request->models[0]);
 }
 
 static void report(const struct compile_request *request, const struct compile_result *result, const char *written)

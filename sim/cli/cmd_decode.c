@@ -3,8 +3,10 @@
  * `limner decode`: what went over a display's wires, a wire log, a trace of QEMU's or a logic analyser's capture, from
  * a file or a pipe -> an emulated display -> frames, a line each, and PNG files and hashes as `limner render --panel`
  * has them. What the chip has to complain about is an error, and named with the line or the time that it came from. */
+#include "base/deadline.h"
 #include "base/input_file.h"
 #include "base/parse.h"
+#include "base/printable.h"
 #include "base/progress.h"
 #include "cli/commands.h"
 #include "displays/idle_options.h"
@@ -94,12 +96,11 @@ static bool start(struct decode *decode, struct error *err)
     const bool is_input = strcmp(decode->path, "-") == 0;
     decode->lines.file = input_open_stream(decode->path, err);
     if (!decode->lines.file) return false;
+    if (!input_is_regular(decode->lines.file)) deadline_only_if_given();
     if (is_input) decode->path = "standard input";
     decode->lines.path = decode->path;
     decode->lines.line_most_b = LINE_MOST_B;
-    return (is_input || outputs_spare(&decode->outputs, decode->path, err)) &&
-           outputs_spare(&decode->outputs, decode->map_path, err) &&
-           hash_list_open(&decode->hashes, &decode->outputs, err);
+    return hash_list_open(&decode->hashes, &decode->outputs, err);
 }
 
 /* Frames ------------------------------------------------------------------------------------- */
@@ -126,8 +127,8 @@ static bool take_frame(struct decode *decode, struct error *err)
 static void pass_on(struct decode *decode)
 {
     if (decode->other_lines++ < OTHER_LINES_SHOWN)
-        fprintf(stderr, "limner: %s:%" PRIu64 ": no trace: %s\n", decode->path, (uint64_t)decode->lines.number,
-                decode->lines.line);
+        printable_print(stderr, "limner: %s:%" PRIu64 ": no trace: %s\n", decode->path, (uint64_t)decode->lines.number,
+                        decode->lines.line);
 }
 
 static bool take_text(struct decode *decode, struct error *err)
@@ -181,11 +182,13 @@ static bool read_lines(struct decode *decode, struct error *err)
 {
     err->text[0] = '\0';
     while (!has_all(decode) && input_line(&decode->lines, err))
-        if (!take_line(decode, err)) return false;
+        if (!take_line(decode, err) ||
+            !deadline_check(err, "%s:%zu, after %zu frames", decode->path, decode->lines.number, decode->hashes.count))
+            return false;
     if (err->text[0]) return false;
     if (decode->other_lines > OTHER_LINES_SHOWN)
-        fprintf(stderr, "limner: %s: %" PRIu64 " more lines that are no trace\n", decode->path,
-                decode->other_lines - OTHER_LINES_SHOWN);
+        printable_print(stderr, "limner: %s: %" PRIu64 " more lines that are no trace\n", decode->path,
+                        decode->other_lines - OTHER_LINES_SHOWN);
     return check_count(decode, err);
 }
 
@@ -194,7 +197,7 @@ static void tell_notices(const struct decode *decode)
 {
     const char *last;
     const unsigned notices = emulated_display_notices(&decode->listener->display, &last);
-    if (notices) fprintf(stderr, "limner: %s: %u notices, the last: %s\n", decode->path, notices, last);
+    if (notices) printable_print(stderr, "limner: %s: %u notices, the last: %s\n", decode->path, notices, last);
 }
 
 /* Captures ----------------------------------------------------------------------------------- */

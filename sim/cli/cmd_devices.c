@@ -2,6 +2,7 @@
  *
  * `limner devices`: what a display can hang on here, a line each, and why something cannot be used. A kind of device is
  * one function of the list below. */
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "hid/hid_bridges.h"
 #include "linux/gpio_lines.h"
@@ -39,15 +40,15 @@ static void print_spidev(const char *path)
 {
     const int fd = open(path, O_RDWR | O_CLOEXEC);
     if (fd < 0) {
-        printf("spi   %s: %s%s\n", path, strerror(errno),
-               help_for(errno, "; join group spi, or add the udev rule of hal/linux/README.md"));
+        printable_print(stdout, "spi   %s: %s%s\n", path, strerror(errno),
+                        help_for(errno, "; join group spi, or add the udev rule of hal/linux/README.md"));
         return;
     }
     close(fd);
     char controller[SPI_NAME_B];
     struct spi_place place;
     const bool is_known = spi_place_of(&place, path) && spi_controller_name(controller, &place);
-    printf("spi   %s: usable%s%s\n", path, is_known ? ", on " : "", is_known ? controller : "");
+    printable_print(stdout, "spi   %s: usable%s%s\n", path, is_known ? ", on " : "", is_known ? controller : "");
 }
 
 /* What an overlay has taken is listed as well, and how it comes back. */
@@ -59,7 +60,8 @@ static void print_spidevs(void)
     snprintf(none, sizeof none, "spi   none: no /dev/spidev*; %s", trouble);
     print_all("/dev/spidev*", print_spidev, spi_place_without_node(&place, 0) ? NULL : none);
     for (size_t i = 0; spi_place_without_node(&place, i); i++)
-        if (spi_place_trouble(trouble, &place)) printf("spi   spi%u.%u: %s\n", place.bus, place.select, trouble);
+        if (spi_place_trouble(trouble, &place))
+            printable_print(stdout, "spi   spi%u.%u: %s\n", place.bus, place.select, trouble);
 }
 
 /* GPIO ------------------------------------------------------------------------------------------ */
@@ -71,8 +73,8 @@ static unsigned print_lines(const struct gpio_chip *chip, bool used, const char 
     unsigned count = 0;
     for (unsigned offset = 0; offset < chip->n_lines; offset++) {
         if (gpio_chip_line(chip, offset, &info) != 0 || info.name[0] == '\0' || info.is_used != used) continue;
-        printf("%s%s", count++ ? ", " : heading, info.name);
-        if (used) printf(" by %s", info.consumer[0] ? info.consumer : "the kernel");
+        printable_print(stdout, "%s%s", count++ ? ", " : heading, info.name);
+        if (used) printable_print(stdout, " by %s", info.consumer[0] ? info.consumer : "the kernel");
     }
     return count;
 }
@@ -82,16 +84,16 @@ static void print_gpiochip(const char *path)
     struct gpio_chip chip;
     const int err = gpio_chip_open(&chip, path);
     if (err) {
-        printf("gpio  %s: %s%s\n", path, strerror(-err),
-               help_for(-err, "; join group gpio, or add the udev rule of hal/linux/README.md"));
+        printable_print(stdout, "gpio  %s: %s%s\n", path, strerror(-err),
+                        help_for(-err, "; join group gpio, or add the udev rule of hal/linux/README.md"));
         return;
     }
     if (strcmp(strrchr(path, '/') + 1, chip.name) == 0) {
-        printf("gpio  %s (%s): usable, %u lines", chip.name, chip.label, chip.n_lines);
+        printable_print(stdout, "gpio  %s (%s): usable, %u lines", chip.name, chip.label, chip.n_lines);
         const unsigned named = print_lines(&chip, false, "; free: ") + print_lines(&chip, true, "; in use: ");
         puts(named ? "" : ", none with a name: CHIP:NUMBER names them");
     } else {
-        printf("gpio  %s: the same as /dev/%s\n", path, chip.name);
+        printable_print(stdout, "gpio  %s: the same as /dev/%s\n", path, chip.name);
     }
     gpio_chip_close(&chip);
 }
@@ -111,8 +113,9 @@ static void print_bridge(const struct hid_bridge *bridge)
     hid_device *device;
     const bool usable = hid_bridges_open(bridge, &device, why) == 0;
     if (usable) hid_close(device);
-    printf("hid   %s %s (%s): %s", kind->name, bridge->serial[0] ? bridge->serial : "without a readable serial number",
-           bridge->path, usable ? "usable" : why);
+    printable_print(stdout, "hid   %s %s (%s): %s", kind->name,
+                    bridge->serial[0] ? bridge->serial : "without a readable serial number", bridge->path,
+                    usable ? "usable" : why);
     if (usable) printf(", pins GP0 to GP%d", kind->pins - 1);
     puts(kind->experimental ? kind->experimental : "");
 }

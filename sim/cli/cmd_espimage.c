@@ -5,7 +5,7 @@
 #include "base/arguments.h"
 #include "base/binary.h"
 #include "cli/commands.h"
-#include "cli/esp_image.h"
+#include "export/esp_image.h"
 #include "scene/scene_files.h"
 
 #include <stdlib.h>

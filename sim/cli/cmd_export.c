@@ -3,6 +3,7 @@
  * limner export MODEL... --for WORLD -o FOLDER: a folder that a toolchain takes as it is: the renderer, cut to what the
  * scenes require, the scenes, a display's driver, an example. It takes what `limner compile` takes, and what describes
  * a display. */
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "cli/compile_request.h"
 #include "displays/idle_port.h"
@@ -26,6 +27,9 @@ struct export_request {
     struct compile_request compile;
 };
 
+/* What CMake takes in the name of a target. */
+#define COMPONENT_LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.+-_"
+
 /* As it was typed, for the page of the folder; words that a shell would take apart are quoted. */
 static char *tell_command(int argc, char **argv)
 {
@@ -43,7 +47,7 @@ static char *tell_command(int argc, char **argv)
         fputs(quote, memory);
     }
     fclose(memory);
-    return command;
+    return printable(command);
 }
 
 /* Names that another file, a header of C's, a system's or Arduino's library, or a target of CMake's or the Pico SDK's
@@ -75,7 +79,7 @@ static bool name_all(struct export_request *out, struct error *err)
         return error_set(err, "%s: the path is too long", out->folder);
     if (!c_name_init(&out->name, out->path, err)) return false;
     if (strcmp(out->name.symbol, name.file) != 0)
-        fprintf(stderr, "limner: %s: is called %s in the folder's files\n", name.file, out->name.symbol);
+        printable_print(stderr, "limner: %s: is called %s in the folder's files\n", name.file, out->name.symbol);
     return true;
 }
 
@@ -91,8 +95,9 @@ static bool take_folder(struct export_request *out, const char *folder, struct e
     const char *last = strrchr(out->folder, '/') ? strrchr(out->folder, '/') + 1 : out->folder;
     if (!*last || strcmp(last, ".") == 0 || strcmp(last, "..") == 0)
         return error_set(err, "-o %s: gives the export no name; name the folder itself", folder);
-    if (strcmp(out->world->name, "idf") == 0 && strpbrk(last, " \t\"$;()"))
-        return error_set(err, "-o %s: ESP-IDF calls a component by its folder; no blanks, please", folder);
+    if (strcmp(out->world->name, "idf") == 0 && last[strspn(last, COMPONENT_LETTERS)])
+        return error_set(
+            err, "-o %s: ESP-IDF calls a component by its folder: letters, digits and . + - _ alone, please", folder);
     return name_all(out, err);
 }
 
@@ -166,7 +171,7 @@ static bool name_files(const struct export_request *request, struct compile_resu
         char path[2 * C_PATH_MAX_B];
         if (!c_name_init(&name, result->names[i], err)) return false;
         if (strcmp(name.symbol, name.file) != 0)
-            fprintf(stderr, "limner: %s: is called %s in the folder's files\n", name.file, name.symbol);
+            printable_print(stderr, "limner: %s: is called %s in the folder's files\n", name.file, name.symbol);
         if (snprintf(path, sizeof path, "%s/%s%s", request->folder, request->world->source, name.symbol) >=
             C_PATH_MAX_B)
             return error_set(err, "%s: the path is too long", request->folder);

@@ -3,7 +3,9 @@
  * `limner hashes`: pictures of frames that others' displays showed -> hashes as `limner render --write-hashes` has
  * them. With --shrink N every pixel is a square of N by N, as emulators enlarge them: a square of two colours is an
  * error. */
+#include "base/inputs.h"
 #include "base/parse.h"
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "pictures/enlarged.h"
 #include "pictures/hash_list.h"
@@ -22,7 +24,7 @@ static bool add_picture(struct hash_list *list, const char *path, int side, stru
     const bool ok = enlarged_hash(image, side, path, &hash, err);
     gdImageDestroy(image);
     if (!ok) return false;
-    printf("frame %zu: hash %016" PRIx64 " of %s\n", list->count, hash, path);
+    printable_print(stdout, "frame %zu: hash %016" PRIx64 " of %s\n", list->count, hash, path);
     hash_list_add(list, hash);
     return true;
 }
@@ -35,7 +37,7 @@ static bool hashes_run(struct arguments *arguments, struct hash_list *list, stru
     if (text && !parse_whole("--shrink", text, 1, SHRINK_MAX, &side, err)) return false;
     if (arguments->count == 1) return error_set(err, "hashes: needs pictures, PNG files");
     for (int i = 1; i < arguments->count; i++)
-        if (!outputs_spare(outputs, arguments->items[i], err)) return false;
+        inputs_note_name(arguments->items[i]);
     if (!hash_list_open(list, outputs, err)) return false;
     for (int i = 1; i < arguments->count; i++)
         if (!add_picture(list, arguments->items[i], (int)side, err)) return false;

@@ -4,15 +4,19 @@
  * standard output; with -o, they and a plot go to a folder, all or none. */
 #include "base/child.h"
 #include "base/deadline.h"
-#include "base/outputs.h"
+#include "base/inputs.h"
 #include "base/progress.h"
 #include "base/work_folder.h"
 #include "cli/commands.h"
 #include "compiler/faithful.h"
 #include "core/core.h"
+#include "levels/level_path.h"
 #include "measure/measure_request.h"
 #include "measure/measure_table.h"
 #include "measure/measure_tools.h"
+#include "measure/result_file.h"
+#include "measure/shimmer.h"
+#include "outputs/outputs.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -63,8 +67,8 @@ static bool prepare(struct measurement *measurement, struct error *err)
         return error_set(err, "measure: out of memory");
     if (!compile_rows(measurement, err)) return false;
     measure_refusals_print(&measurement->table.refused, "limner: note: ", stderr);
-    faithful_note(&measurement->scenes.plain);
-    faithful_note(&measurement->scenes.fractions);
+    for (int i = 0; i < MEASURE_PROFILES; i++)
+        faithful_note(&measurement->scenes.of[i]);
     return measure_request_cameras(request, measurement->candidates[0].scene, &measurement->lens, &measurement->path,
                                    err);
 }
@@ -83,6 +87,16 @@ static void leave_out(struct measure_table *table, size_t runs)
         table->row_count = complete;
     else
         table->cpu_count = 0;
+}
+
+static bool measure_shimmer(struct measurement *measurement, const struct measure_views *views, struct error *err)
+{
+    struct measure_table *table = &measurement->table;
+    for (size_t i = 0; i < table->row_count; i++) {
+        progress_bar(i, table->row_count, "shimmer, %s", table->rows[i].core->name);
+        if (!shimmer_measure(&measurement->candidates[i], views, &table->rows[i].accuracy.shimmer, err)) return false;
+    }
+    return true;
 }
 
 static bool measure_costs(struct measurement *measurement, const struct measure_views *views, struct error *err)
@@ -122,6 +136,7 @@ static bool measure_all(struct measurement *measurement, struct error *err)
         return false;
     for (size_t i = 0; i < table->row_count; i++)
         table->rows[i].accuracy = measurement->accuracies[i];
+    if (!measure_shimmer(measurement, &views, err)) return false;
     if (!measure_costs(measurement, &views, err)) return false;
     measure_table_judge(table);
     return true;
@@ -186,19 +201,43 @@ static bool write_plot(struct measurement *measurement, struct error *err)
     return outputs_close(file, path, ok ? err : &(struct error){0}) && ok;
 }
 
-static bool write_files(struct measurement *measurement, struct error *err)
+/* What a result says must be all that was asked for. */
+static bool write_result(struct measurement *measurement, struct error *err)
+{
+    const struct measure_request *request = &measurement->request;
+    const struct measure_table *table = &measurement->table;
+    if (!request->result) return true;
+    if (table->row_count < request->core_count || table->cpu_count < request->cpu_count || deadline_cuts())
+        return error_set(err, "%s: no result: not all of it was measured in time, or a precision is refused",
+                         request->model);
+    return result_file_put(table, request->model, request->compile.method ? request->compile.method->name : "auto",
+                           request->result, &measurement->outputs, err);
+}
+
+static bool write_folder(struct measurement *measurement, struct error *err)
 {
     if (!measurement->request.folder) return true;
     const bool with_cost = measurement->table.cpu_count > 0;
     return write_table(measurement, "measure.md", measure_table_markdown, err) &&
            write_table(measurement, "measure.csv", measure_table_csv, err) &&
            (!with_cost || (write_table(measurement, "stages.csv", measure_table_stages_csv, err) &&
-                           (measurement->request.no_plot || write_plot(measurement, err)))) &&
-           outputs_keep(&measurement->outputs, err);
+                           (measurement->request.no_plot || write_plot(measurement, err))));
+}
+
+static bool write_files(struct measurement *measurement, struct error *err)
+{
+    return write_folder(measurement, err) && write_result(measurement, err) && outputs_keep(&measurement->outputs, err);
+}
+
+/* For --result; the importer notes the model's. */
+static void note_cameras(const struct camera_choice *cameras)
+{
+    if (cameras->text && !cameras->random_count && !level_path_parse(cameras->text, NULL)) inputs_note(cameras->text);
 }
 
 static bool run(struct measurement *measurement, struct error *err)
 {
+    note_cameras(&measurement->request.cameras);
     measure_tools_fit(&measurement->request);
     const bool ok = measure_request_check(&measurement->request, err) && work_folder_make(&measurement->folder, err) &&
                     measure_request_load_variants(&measurement->request, measurement->folder.path, err) &&

@@ -13,6 +13,7 @@
 #include "displays/module_choice.h"
 #include "displays/player.h"
 #include "displays/port_choice.h"
+#include "linux/code_words.h"
 #include "linux/interrupt.h"
 #include "scene/moving.h"
 
@@ -115,7 +116,7 @@ static bool open_display(struct play *play, struct error *err)
     play->lines = malloc(lines_b);
     if (!play->lines) return error_set(err, "play: out of memory");
     const int code = screen_init(&play->screen, play->display.panel, method, play->lines, lines_b);
-    return code == 0 || error_set(err, "play: the screen failed with %d", code);
+    return code == 0 || error_set(err, "play: %s (%d)", code_words(code), code);
 }
 
 /* A scene --------------------------------------------------------------------------------------- */
@@ -198,6 +199,7 @@ static void play_free(struct play *play)
     free(play->lines);
     camera_path_free(&play->path);
     compiled_free(&play->scene);
+    compile_options_free(&play->options.compile);
     moving_free(&play->moving);
 }
 

@@ -7,8 +7,8 @@
 #include "accuracy/moving_reference.h"
 #include "accuracy/unsettled.h"
 #include "base/deadline.h"
+#include "base/inputs.h"
 #include "base/notice.h"
-#include "base/outputs.h"
 #include "base/progress.h"
 #include "cameras/cameras_c.h"
 #include "cli/commands.h"
@@ -17,6 +17,7 @@
 #include "core/core.h"
 #include "levels/level_path.h"
 #include "model/mapping.h"
+#include "outputs/outputs.h"
 #include "pictures/dump.h"
 #include "pictures/frame_file.h"
 #include "pictures/hashes.h"
@@ -43,6 +44,7 @@ struct render {
     struct simulator simulator;
     struct ids ids;             /* --ids, --compare */
     struct reference reference; /* --compare */
+    uint32_t *groups;           /* faces of one polygon, for what compares; NULL: each is for itself */
     struct edge_error edges;    /* --antialias --compare */
     struct caption caption;     /* --overlay */
     struct outputs outputs;
@@ -68,10 +70,10 @@ static bool open_outputs(struct render *render, struct error *err)
     if (options->compare && options_scene_is_compiled(options))
         return error_set(err, "--compare: %s holds no source polygons; give the model", options->scene_path);
     const char *cameras_path = options->cameras.random_count ? NULL : options->cameras.text;
-    return level_path_spare(&render->outputs, options->scene_path, err) &&
-           outputs_spare(&render->outputs, cameras_path, err) &&
-           outputs_spare(&render->outputs, options->check_path, err) &&
-           open_output(render, options->gif_path, &render->gif_file, err) &&
+    level_path_note(options->scene_path);
+    if (cameras_path) inputs_note_name(cameras_path);
+    if (options->check_path) inputs_note_name(options->check_path);
+    return open_output(render, options->gif_path, &render->gif_file, err) &&
            open_output(render, options->sheet_path, &render->sheet_file, err) &&
            open_output(render, options->ids_path, &render->ids_file, err) &&
            open_output(render, options->hashes_path, &render->hashes_file, err) &&
@@ -100,7 +102,18 @@ static void print_notes(const struct compile_report *report)
         if (!report->notes[i].is_detail) notice("%s", report->notes[i].text);
     if (report->mesh.clamped) notice("%zu faces have an opacity beyond 0..1, clamped", report->mesh.clamped);
     for (enum unmapped kind = 0; kind < UNMAPPED_KINDS; kind++)
-        if (report->mesh.unmapped[kind]) notice("%zu faces %s", report->mesh.unmapped[kind], unmapped_words(kind));
+        if (report->mesh.unmapped[kind])
+            notice("%zu faces %s; they have its mean colour", report->mesh.unmapped[kind], unmapped_words(kind));
+}
+
+/* What was merged is one face for whoever compares; with --ids nothing is. */
+static bool take_groups(struct render *render, struct error *err)
+{
+    if (render->options.compile.keep_faces) return true;
+    if (render->moving.count) return moving_groups(&render->moving, &render->groups, err);
+    render->groups = render->scene.groups;
+    render->scene.groups = NULL;
+    return true;
 }
 
 /* The reference's faces have colours if none of them moves. */
@@ -149,7 +162,7 @@ static bool start(struct render *render, struct error *err)
     faithful_note(&render->scene);
     if (!options->compare) return true;
     if (measures_edges(render) && !edge_error_init(&render->edges, &render->scene, &options->setup, err)) return false;
-    return read_reference(render, w_px, h_px, err);
+    return take_groups(render, err) && read_reference(render, w_px, h_px, err);
 }
 
 /* Frames ------------------------------------------------------------------------------------- */
@@ -177,7 +190,7 @@ static bool identify_frame(struct render *render, size_t frame, const struct lim
     moving_pose_reference(&render->moving, &render->reference, frame_time_s(render, frame));
     reference_draw(&render->reference, &render->path.frames[frame], &render->lens);
     render->rows[frame].compare =
-        compare_picture(render->ids.faces, &render->reference, NULL, 1.0 / render->scene.grid.units_per_m);
+        compare_picture(render->ids.faces, &render->reference, render->groups, 1.0 / render->scene.grid.units_per_m);
     return !measures_edges(render) || edge_error_frame(&render->edges, &render->reference, &render->path.frames[frame],
                                                        &render->lens, camera, &render->rows[frame].edges, err);
 }
@@ -324,8 +337,9 @@ static bool render_run(struct render *render, struct error *err)
 {
     if (!open_outputs(render, err) ||
         !options_load(&render->options, &render->scene, &render->moving, &render->lens, &render->path, err) ||
-        !allocate(render, err) || !start(render, err) || !render_frames(render, err) || !write_films(render, err) ||
-        !write_cameras(render, err) || !close_outputs(render, err))
+        !outputs_check(&render->outputs, err) || !allocate(render, err) || !start(render, err) ||
+        !render_frames(render, err) || !write_films(render, err) || !write_cameras(render, err) ||
+        !close_outputs(render, err))
         return false;
     note_unsettled(render);
     print_tables(render);
@@ -345,8 +359,10 @@ static void render_free(struct render *render)
     ids_free(&render->ids);
     edge_error_free(&render->edges);
     reference_free(&render->reference);
+    free(render->groups);
     camera_path_free(&render->path);
     compiled_free(&render->scene);
+    compile_options_free(&render->options.compile);
     moving_free(&render->moving);
     free(render->rows);
     free(render->hashes);

@@ -2,6 +2,7 @@
  *
  * `limner replay`: unpacks a report into a folder of its own, runs it there, and compares what comes of it. */
 #include "base/arguments.h"
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "cli/report_file.h"
 #include "cli/report_run.h"
@@ -80,8 +81,8 @@ static bool run(struct replay *replay, struct error *err)
         return false;
     if (replay->new_path) return write_anew(replay, &now, err);
     if (!compare(replay, &now, err)) return false;
-    printf("%s: %s%s\n", replay->path,
-           now.outcome == REPORT_DRAWN ? "all frames are the same" : "refused as before: ", now.reason);
+    printable_print(stdout, "%s: %s%s\n", replay->path,
+                    now.outcome == REPORT_DRAWN ? "all frames are the same" : "refused as before: ", now.reason);
     return true;
 }
 

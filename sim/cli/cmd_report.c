@@ -2,9 +2,9 @@
  *
  * `limner report MODEL -o FILE.html`: all that is known of a scene, in one page that loads nothing. The file is whole
  * or not there. */
-#include "base/outputs.h"
 #include "cli/commands.h"
 #include "levels/level_path.h"
+#include "outputs/outputs.h"
 #include "page/page.h"
 
 #include <stdio.h>
@@ -14,7 +14,8 @@
 static bool run(struct page *page, struct outputs *outputs, struct error *err)
 {
     const char *path = page->request.folder;
-    FILE *file = level_path_spare(outputs, page->request.model, err) ? outputs_open(outputs, path, err) : NULL;
+    level_path_note(page->request.model);
+    FILE *file = outputs_open(outputs, path, err);
     if (!file) return false;
     const bool ok = page_collect(page, err) && page_write(page, file, err);
     return outputs_close(file, path, ok ? err : &(struct error){0}) && ok && outputs_keep(outputs, err);

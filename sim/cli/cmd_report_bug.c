@@ -2,11 +2,12 @@
  *
  * `limner report-bug`: copies what render would read into a folder, runs it there, and packs the folder: so a report
  * that is written is one that can be run again. */
+#include "base/inputs.h"
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/report_file.h"
 #include "cli/report_run.h"
-#include "files/inputs.h"
 #include "levels/level_path.h"
 #include "model/model.h"
 #include "readers/model_import.h"
@@ -47,6 +48,10 @@ static bool take_option(struct packing *packing, const struct given_option *give
         packing->report_path = given->value;
         return true;
     }
+    if (strcmp(given->name, "path") == 0)
+        return error_set(err,
+                         "--path: a report holds one list of cameras, those of --camera; leave it out, or name what "
+                         "was chosen by --method and --tree");
     if (strcmp(given->name, "ids") == 0) return report_add_argument(packing->report, REPORT_IDS_OPTION, err);
     if (given->files == OPTION_NAMES_FILE) return true;
     const char *value = given->value;
@@ -174,36 +179,20 @@ static bool pack_input(struct packing *packing, const char *path, struct error *
     return copy_file(path, &packing->folder, name, err) && report_add(packing->report, &packing->folder, name, err);
 }
 
-/* What it reads until it ends, well or not. */
-static void list_inputs(const struct packing *packing, FILE *list)
+/* What it reads until it ends, well or not: then inputs.h has it. */
+static void read_inputs(const struct packing *packing)
 {
     struct model model;
     struct error ignored;
-    if (lim_file_is_named(packing->scene_path)) return;
-    inputs_note_to(fileno(list));
-    if (model_import(packing->scene_path, &model, &ignored)) model_free(&model);
-    inputs_note_to(-1);
+    if (!lim_file_is_named(packing->scene_path) && model_import(packing->scene_path, &model, &ignored))
+        model_free(&model);
 }
 
-static bool each_input(struct packing *packing, FILE *list,
-                       bool (*take)(struct packing *, const char *, struct error *), struct error *err)
-{
-    char *path = NULL;
-    size_t size_b = 0;
-    bool ok = fseek(list, 0, SEEK_SET) == 0 || error_set(err, "%s: %s", packing->scene_path, strerror(errno));
-    while (ok && getdelim(&path, &size_b, '\0', list) > 0)
-        ok = take(packing, path, err);
-    free(path);
-    return ok;
-}
-
-static bool look_up(struct packing *packing, const char *path, struct error *err)
+static void look_up(struct packing *packing, const char *path)
 {
     size_t up;
-    (void)err;
     behind_folder(packing, path, &up);
     if (up > packing->up) packing->up = up;
-    return true;
 }
 
 /* A map's WADs, and as what the report's scene is named then. */
@@ -240,13 +229,13 @@ static size_t folder_length(const char *scene_path)
 
 static bool pack_inputs(struct packing *packing, struct error *err)
 {
-    FILE *list = tmpfile();
     packing->folder_b = folder_length(packing->scene_path);
-    bool ok = list || error_set(err, "no temporary file: %s", strerror(errno));
-    if (ok) list_inputs(packing, list);
-    ok = ok && each_input(packing, list, look_up, err) && pack_scene(packing, err);
-    ok = ok && each_input(packing, list, pack_input, err);
-    if (list) fclose(list);
+    read_inputs(packing);
+    for (size_t i = 0; i < inputs_count(); i++)
+        look_up(packing, inputs_path(i));
+    bool ok = pack_scene(packing, err);
+    for (size_t i = 0; ok && i < inputs_count(); i++)
+        ok = pack_input(packing, inputs_path(i), err);
     return ok;
 }
 
@@ -261,16 +250,16 @@ static bool pack_cameras(struct packing *packing, struct error *err)
 static void print_contents(const struct packing *packing)
 {
     const struct report *report = packing->report;
-    printf("%s: %s%s\n", packing->report_path,
-           report->outcome == REPORT_DRAWN     ? "all frames are drawn"
-           : report->outcome == REPORT_REFUSED ? "render says: "
-                                               : "render ends by ",
-           report->reason);
+    printable_print(stdout, "%s: %s%s\n", packing->report_path,
+                    report->outcome == REPORT_DRAWN     ? "all frames are drawn"
+                    : report->outcome == REPORT_REFUSED ? "render says: "
+                                                        : "render ends by ",
+                    report->reason);
     printf(
         "It holds versions, options and these files, and no names of folders, users or machines but those in them:\n");
     for (size_t i = 0; i < report->file_count; i++)
-        printf("%10lu bytes  %s\n", (unsigned long)report->files[i].size_b, report->files[i].name);
-    printf("`tar -tf` lists it, `limner replay %s` runs it again.\n", packing->report_path);
+        printable_print(stdout, "%10lu bytes  %s\n", (unsigned long)report->files[i].size_b, report->files[i].name);
+    printable_print(stdout, "`tar -tf` lists it, `limner replay %s` runs it again.\n", packing->report_path);
 }
 
 static bool pack(struct packing *packing, struct error *err)

@@ -5,6 +5,7 @@
  * tree of a scene holds what stands still. */
 #include "base/deadline.h"
 #include "base/parse.h"
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "compiler/compile.h"
 #include "compiler/faithful.h"
@@ -84,7 +85,7 @@ static bool read_still(const char *path, const struct compile_options *options, 
     *numbers = NULL;
     if (!model_read(path, &options->orientation, &model, err)) return false;
     model_tell(path, &model);
-    if (!options->unlit) light_bake(&model);
+    (options->unlit ? light_none : light_bake)(&model);
     *movers = model.mover_count;
     *still = model;
     if (!*movers) return true;
@@ -99,8 +100,8 @@ static bool read_still(const char *path, const struct compile_options *options, 
 static void print_head(const char *path, const struct compiled *scene, const struct compile_options *options,
                        size_t movers)
 {
-    printf("%s, tree %s; instructions a frame on Cortex-M0+, predicted, %ux%u pixels\n", path,
-           tree_names[scene->report.tree], options->w_px, options->h_px);
+    printable_print(stdout, "%s, tree %s; instructions a frame on Cortex-M0+, predicted, %ux%u pixels\n", path,
+                    tree_names[scene->report.tree], options->w_px, options->h_px);
     if (movers) printf("What stands still alone; objects that move: %zu\n", movers);
     printf("\n| splitter | taken       | depth | splits | polygons | nodes |  bytes | instructions |\n"
            "|---|---|---|---|---|---|---|---|\n");

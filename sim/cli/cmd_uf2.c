@@ -4,7 +4,7 @@
 #include "base/arguments.h"
 #include "base/binary.h"
 #include "cli/commands.h"
-#include "cli/uf2.h"
+#include "export/uf2.h"
 #include "scene/scene_files.h"
 
 #include <stdlib.h>

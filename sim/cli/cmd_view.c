@@ -83,6 +83,7 @@ int cmd_view(int argc, char **argv)
     simulator_free(&view.simulator);
     camera_path_free(&view.path);
     compiled_free(&view.scene);
+    compile_options_free(&view.options.compile);
     moving_free(&view.moving);
     if (!ok) fprintf(stderr, "limner: %s\n", err.text);
     return ok ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * `limner wad FILE.wad`: the maps of a WAD, a line each: what they consist of, or why they cannot be read. */
+#include "base/printable.h"
 #include "cli/commands.h"
 #include "levels/level.h"
 
@@ -26,10 +27,10 @@ static void print_map(const struct wad *wad, const char *name)
     struct level level;
     struct error err;
     if (level_read(wad, name, &level, &err))
-        printf("%-8s %5zu %8zu %7zu %6zu\n", name, level.line_count, level.vertex_count, level.sector_count,
-               level.thing_count);
+        printable_print(stdout, "%-8s %5zu %8zu %7zu %6zu\n", name, level.line_count, level.vertex_count,
+                        level.sector_count, level.thing_count);
     else
-        printf("%-8s %s\n", name, err.text);
+        printable_print(stdout, "%-8s %s\n", name, err.text);
     level_free(&level);
 }
 
@@ -40,9 +41,10 @@ static bool list(const char *paths, struct error *err)
     if (!wad_open(paths, &wad, err)) return false;
     for (size_t i = 0; i < wad.lump_count; i++) {
         if (!level_begins_at(&wad, i) || !is_last(&wad, i)) continue;
-        if (!maps++)
-            printf("%s: %s\n%-8s %5s %8s %7s %6s\n", paths, format_of(&wad), "map", "lines", "vertices", "sectors",
-                   "things");
+        if (!maps++) {
+            printable_print(stdout, "%s: %s\n", paths, format_of(&wad));
+            printf("%-8s %5s %8s %7s %6s\n", "map", "lines", "vertices", "sectors", "things");
+        }
         print_map(&wad, wad.lumps[i].name);
     }
     wad_close(&wad);

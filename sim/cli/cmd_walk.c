@@ -3,13 +3,14 @@
  * `limner walk MODEL -o FILE.cam`: a walk through a scene as cameras, a line a frame; walls, steps and falls are those
  * of firmware/collide.h. */
 #include "base/arguments.h"
-#include "base/outputs.h"
 #include "base/parse.h"
+#include "base/printable.h"
 #include "cameras/walk_path.h"
 #include "cli/commands.h"
 #include "compiler/compile.h"
 #include "levels/level_cameras.h"
 #include "levels/level_path.h"
+#include "outputs/outputs.h"
 #include "scene/scene_files.h"
 
 #include <math.h>
@@ -175,14 +176,12 @@ static bool load(struct walking *walking, struct error *err)
 static bool write_path(struct walking *walking, struct error *err)
 {
     const struct walk_body *body = &walking->wish.body;
-    if (!level_path_spare(&walking->outputs, walking->model, err) ||
-        !outputs_spare(&walking->outputs, level_path_parse(walking->model, NULL) ? NULL : walking->model, err))
-        return false;
     FILE *file = outputs_open(&walking->outputs, walking->out_path, err);
     if (!file) return false;
-    fprintf(file, "# A walk through %s: %zu frames of %g m; an eye at %g m, %g m high, %g m wide, steps of %g m.\n",
-            walking->model, walking->path.count, walking->wish.stride_m, body->eye_m, body->height_m,
-            2 * body->radius_m, body->step_m);
+    printable_print(file,
+                    "# A walk through %s: %zu frames of %g m; an eye at %g m, %g m high, %g m wide, steps of %g m.\n",
+                    walking->model, walking->path.count, walking->wish.stride_m, body->eye_m, body->height_m,
+                    2 * body->radius_m, body->step_m);
     for (size_t i = 0; i < walking->path.count; i++)
         viewpoint_write(&walking->path.frames[i], file);
     return outputs_close(file, walking->out_path, err);
@@ -191,9 +190,10 @@ static bool write_path(struct walking *walking, struct error *err)
 static void print_found(const struct walking *walking)
 {
     const struct walk_found *found = &walking->found;
-    printf("%s: %zu frames, %.0f m; of %zu places half a metre apart that can be reached %zu are seen, %.0f %%\n",
-           walking->model, walking->path.count, found->way_m, found->places, found->seen,
-           100.0 * (double)found->seen / (double)found->places);
+    printable_print(
+        stdout, "%s: %zu frames, %.0f m; of %zu places half a metre apart that can be reached %zu are seen, %.0f %%\n",
+        walking->model, walking->path.count, found->way_m, found->places, found->seen,
+        100.0 * (double)found->seen / (double)found->places);
 }
 
 int cmd_walk(int argc, char **argv)

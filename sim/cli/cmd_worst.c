@@ -2,7 +2,6 @@
  *
  * `limner worst MODEL`: the camera that costs most and the one that errs most, searched in the scene's free space; by
  * how much they are worse than random cameras. With -o PATH: PATH.cam, and pictures. All files or none. */
-#include "base/outputs.h"
 #include "base/work_folder.h"
 #include "cameras/random_path.h"
 #include "cli/commands.h"
@@ -12,6 +11,7 @@
 #include "measure/difference.h"
 #include "measure/measure_request.h"
 #include "measure/worst_views.h"
+#include "outputs/outputs.h"
 #include "pictures/image.h"
 #include "scene/moving.h"
 
@@ -153,7 +153,7 @@ static bool open_cameras(struct worst *worst, FILE **file, char path[PATH_MAX_B]
 {
     *file = NULL;
     if (!worst->request.folder) return true;
-    if (!level_path_spare(&worst->outputs, worst->request.model, err)) return false;
+    level_path_note(worst->request.model);
     *file = open_output(worst, ".cam", path, err);
     return *file != NULL;
 }

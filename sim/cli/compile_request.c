@@ -5,7 +5,6 @@
 #include "base/notice.h"
 #include "base/parse.h"
 #include "compiler/compile.h"
-#include "compiler/portal_choice.h"
 #include "core/core_parse.h"
 #include "levels/level_path.h"
 #include "measure/worst_views.h"
@@ -24,7 +23,6 @@ enum option_code {
     OPTION_TOLERANCE = 256,
     OPTION_METHOD,
     OPTION_KEEP_FACES,
-    OPTION_PORTALS,
     OPTION_BACKGROUND,
     OPTION_WIREFRAME,
     OPTION_ANTIALIAS,
@@ -43,14 +41,12 @@ enum option_code {
     OPTION_MOVER_LIGHT,
     OPTION_REPORT,
     OPTION_OVERLAY,
-    OPTION_WORST,
-    OPTION_PATH
+    OPTION_WORST
 };
 
 static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
     {"method", required_argument, NULL, OPTION_METHOD},
-    {"portals", required_argument, NULL, OPTION_PORTALS},
     {"keep-faces", no_argument, NULL, OPTION_KEEP_FACES},
     {"background", required_argument, NULL, OPTION_BACKGROUND},
     COMPILE_MODEL_OPTIONS,
@@ -71,7 +67,6 @@ static const struct option OPTIONS[] = {
     {"panel", required_argument, NULL, OPTION_PANEL},
     {"mover-light", required_argument, NULL, OPTION_MOVER_LIGHT},
     {"movers", required_argument, NULL, OPTION_MOVERS},
-    {"path", required_argument, NULL, OPTION_PATH},
     {"worst", optional_argument, NULL, OPTION_WORST},
     {"report", no_argument, NULL, OPTION_REPORT},
     {NULL, 0, NULL, 0},
@@ -109,6 +104,22 @@ static bool *flag_of(int code, struct compile_request *out)
     }
 }
 
+/* Before it is told: what it is called then. */
+static void map_name(char *name)
+{
+    char *given = strdup(name);
+    if (c_name_map(name) && given) notice("%s: files are called %s: C cannot name the other", given, name);
+    free(given);
+}
+
+static bool take_name(char *name, struct compile_request *out, struct error *err)
+{
+    out->name = name;
+    if (!*name) return error_set(err, "-o: needs a name");
+    map_name(name);
+    return true;
+}
+
 static bool parse_option(int code, char **argv, struct compile_request *out, struct error *err)
 {
     bool *const flag = flag_of(code, out);
@@ -116,14 +127,11 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
     if (compile_options_know(code)) return compile_options_take(code, optarg, &out->compile, err);
     switch (code) {
     case 'o':
-        out->name = optarg;
-        return *optarg || error_set(err, "-o: needs a name");
+        return take_name(optarg, out, err);
     case OPTION_TOLERANCE:
         return parse_tolerance(optarg, &out->compile.tolerance_units, err);
     case OPTION_METHOD:
         return compile_method_parse(optarg, &out->compile, err);
-    case OPTION_PORTALS:
-        return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_BACKGROUND:
         return parse_background(optarg, &out->compile.background, err);
     case OPTION_PRECISION:
@@ -140,8 +148,6 @@ static bool parse_option(int code, char **argv, struct compile_request *out, str
         return camera_choice_parse(optarg, &out->bound.cameras, err);
     case OPTION_CORE:
         return measure_cpu_parse(optarg, &out->bound.cpu, err);
-    case OPTION_PATH:
-        return compile_path_parse(optarg, &out->compile, err);
     case OPTION_WORST:
         return worst_tries_parse(optarg, &out->compile.worst_tries, err);
     case OPTION_MOVERS:
@@ -178,13 +184,8 @@ static void settle_panel(struct compile_request *request)
 
 bool compile_request_parse(int argc, char **argv, struct compile_request *out, struct error *err)
 {
-    *out = (struct compile_request){.command = argv[0],
-                                    .compile = {.tolerance_units = 0.5,
-                                                .splitter = "auto",
-                                                .trial = TRIAL_IF_SPLIT,
-                                                .choose_order = true,
-                                                .portals = PORTALS_AUTO,
-                                                .predict = true}};
+    *out = (struct compile_request){.command = argv[0], .compile = compile_options_usual()};
+    out->compile.predict = true;
     out->bound = (struct choice_bound){.wrong_percent = -1.0, .vertex_px = -1.0};
     opterr = 0;
     optind = 1;
@@ -206,7 +207,9 @@ static bool name_scene(const struct compile_request *request, size_t i, char nam
     char suffix[C_NAME_MAX_B] = "_";
     if (level_path_stem(request->models[i], suffix + 1, sizeof suffix - 1) >= C_NAME_MAX_B - 1)
         return error_set(err, "%s: the name is too long for C symbols", request->models[i]);
-    return c_path(name, request->name, suffix, err);
+    if (!c_path(name, request->name, suffix, err)) return false;
+    if (request->has_lim) map_name(name);
+    return true;
 }
 
 static bool names_differ(const struct compile_result *result, size_t i, const char *model, struct error *err)
@@ -221,9 +224,18 @@ static bool names_differ(const struct compile_result *result, size_t i, const ch
     return true;
 }
 
+/* The scene's header includes these two by name. */
+static bool header_differs(const char *path, struct error *err)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    return (strcmp(name, "config") != 0 && strcmp(name, "limner") != 0) ||
+           error_set(err, "-o '%s': the renderer has a header of that name; another one helps", path);
+}
+
 /* Names first: what cannot be written is not worth compiling. */
 static bool name_all(const struct compile_request *request, struct compile_result *result, struct error *err)
 {
+    if (request->has_lim && !header_differs(request->name, err)) return false;
     for (size_t i = 0; i < request->model_count; i++)
         if (!name_scene(request, i, result->names[i], err) || !names_differ(result, i, request->models[i], err))
             return false;

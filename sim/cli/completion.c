@@ -4,14 +4,13 @@
  * words behind an option there that it takes. */
 #include "cli/completion.h"
 
-#include "cli/esp_image.h"
-#include "cli/uf2.h"
 #include "cli/usage.h"
 #include "compiler/compile_options.h"
 #include "compiler/moving_compile.h"
-#include "compiler/portal_choice.h"
 #include "core/core.h"
 #include "displays/display.h"
+#include "export/esp_image.h"
+#include "export/uf2.h"
 #include "export/world.h"
 #include "levels/level_moves.h"
 #include "measure/measurement.h"

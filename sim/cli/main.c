@@ -3,8 +3,10 @@
  * The host program `limner`: hands its arguments to a subcommand. */
 #include "agree.h"
 #include "base/arguments.h"
+#include "base/cache.h"
 #include "base/deadline.h"
 #include "base/ending.h"
+#include "base/printable.h"
 #include "base/streams.h"
 #include "cli/commands.h"
 #include "cli/completion.h"
@@ -20,30 +22,20 @@
 static const struct command {
     const char *name;
     int (*run)(int argc, char **argv);
-    bool is_long; /* reads models, takes --time-limit */
-} COMMANDS[] = {{"compile", cmd_compile, true},
-                {"render", cmd_render, true},
-                {"view", cmd_view, true},
-                {"measure", cmd_measure, true},
-                {"compare", cmd_compare, true},
-                {"splitters", cmd_splitters, true},
-                {"play", cmd_play, true},
-                {"devices", cmd_devices, false},
-                {"bridge", cmd_bridge, false},
-                {"module", cmd_module, false},
-                {"card", cmd_card, false},
-                {"decode", cmd_decode, false},
-                {"hashes", cmd_hashes, false},
-                {"uf2", cmd_uf2, false},
-                {"espimage", cmd_espimage, false},
-                {"boot2", cmd_boot2, false},
-                {"report-bug", cmd_report_bug, true},
-                {"replay", cmd_replay, true},
-                {"export", cmd_export, true},
-                {"worst", cmd_worst, true},
-                {"report", cmd_report, true},
-                {"wad", cmd_wad, false},
-                {"walk", cmd_walk, true}};
+    bool reads_models; /* takes what all such take */
+    bool has_limit;    /* takes --time-limit */
+} COMMANDS[] = {{"compile", cmd_compile, true, true},   {"render", cmd_render, true, true},
+                {"view", cmd_view, true, true},         {"measure", cmd_measure, true, true},
+                {"compare", cmd_compare, true, true},   {"splitters", cmd_splitters, true, true},
+                {"sweep", cmd_sweep, false, false},     {"play", cmd_play, true, true},
+                {"devices", cmd_devices, false, false}, {"bridge", cmd_bridge, false, false},
+                {"module", cmd_module, false, false},   {"card", cmd_card, false, false},
+                {"decode", cmd_decode, false, true},    {"hashes", cmd_hashes, false, false},
+                {"uf2", cmd_uf2, false, false},         {"espimage", cmd_espimage, false, false},
+                {"boot2", cmd_boot2, false, false},     {"report-bug", cmd_report_bug, true, true},
+                {"replay", cmd_replay, true, true},     {"export", cmd_export, true, true},
+                {"worst", cmd_worst, true, true},       {"report", cmd_report, true, true},
+                {"wad", cmd_wad, false, false},         {"walk", cmd_walk, true, true}};
 
 static bool asks_for_help(const char *argument)
 {
@@ -62,8 +54,8 @@ static bool has_help_option(int argc, char **argv)
 static int no_command(const char *name)
 {
     const char *nearest = usage_nearest_command(name);
-    fprintf(stderr, "limner: no command '%s'%s%s%s; `limner help` lists them\n", name, nearest ? ", is it " : "",
-            nearest ? nearest : "", nearest ? "?" : "");
+    printable_print(stderr, "limner: no command '%s'%s%s%s; `limner help` lists them\n", name,
+                    nearest ? ", is it " : "", nearest ? nearest : "", nearest ? "?" : "");
     return EXIT_FAILURE;
 }
 
@@ -90,7 +82,8 @@ static int run_command(const struct command *command, int argc, char **argv)
     struct arguments arguments = {argv, argc};
     struct error err;
     if (usage_check_options(command->name, argv + 1, &err) &&
-        (!command->is_long || (model_options_take(&arguments, &err) && begin_time(&arguments, &err))))
+        (!command->reads_models || model_options_take(&arguments, &err)) &&
+        (!command->has_limit || begin_time(&arguments, &err)))
         return command->run(arguments.count, arguments.items);
     fprintf(stderr, "limner: %s\n", err.text);
     return EXIT_FAILURE;
@@ -122,6 +115,7 @@ int main(int argc, char **argv)
 {
     streams_prepare();
     ending_prepare();
+    cache_begin();
     const int status = run(argc, argv);
     if (status == 0) deadline_tell();
     return streams_end(status);

@@ -4,13 +4,14 @@
 #include "cli/options.h"
 
 #include "base/grow.h"
-#include "base/outputs.h"
 #include "base/parse.h"
 #include "compiler/compile.h"
+#include "compiler/order_choice.h"
 #include "core/core.h"
 #include "core/core_parse.h"
 #include "displays/module_choice.h"
 #include "levels/level_path.h"
+#include "outputs/outputs.h"
 #include "render/caption.h"
 #include "scene/scene_files.h"
 
@@ -253,6 +254,7 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         out->compile.delta = true;
         return parse_runs(text, &out->delta_runs, err);
     case OPTION_OVERLAY:
+        out->compile.overlay = true;
         out->overlay_text = text;
         return caption_check(text, err);
     case OPTION_TOLERANCE:
@@ -279,6 +281,8 @@ static enum option_files files_of(int code, const char *value)
     case OPTION_CAMERA:
         return camera_choice_parse(value, &cameras, &ignored) && cameras.random_count ? OPTION_NAMES_NONE
                                                                                       : OPTION_READS_CAMERAS;
+    case COMPILE_PATH:
+        return OPTION_READS_CAMERAS;
     case OPTION_OUT:
     case OPTION_GIF:
     case OPTION_SHEET:
@@ -362,17 +366,26 @@ static bool asks_for_output(const struct options *options)
            options->check_path || options->hashes_path || options->cameras_path || options->stats || options->compare;
 }
 
-/* A file without a tree is drawn by the method that it is for, unless another is named, or what no such method draws is
- * asked for. What cannot be read, or not be drawn, is refused where it is loaded. */
+/* Whether a method draws all that is asked for. */
+static bool draws_what_is_asked(enum lim_method draws, const struct options *options, const struct lim_scene *scene)
+{
+    const struct compile_options *compile = &options->compile;
+    struct error ignored;
+    return (!options->wireframe.on || method_draws_wireframe(draws, &ignored)) &&
+           (!compile->antialias || method_antialiases(draws, options->wireframe.on, &ignored)) &&
+           method_scans(draws, order_needs_nearest(compile, scene), &ignored);
+}
+
+/* A file is drawn by the method that it is for, unless another is named, or what that method does not draw is asked
+ * for. What cannot be read, or not be drawn, is refused where it is loaded. */
 static void settle_file(struct options *out)
 {
     struct compile_options *compile = &out->compile;
     struct compiled scene;
     struct error ignored;
-    const bool needs_tree = out->wireframe.on || compile->antialias || out->delta_runs;
-    if (compile->method || compile->tree != TREE_AUTO || needs_tree || !options_scene_is_compiled(out)) return;
+    if (compile->method || compile->tree != TREE_AUTO || !options_scene_is_compiled(out)) return;
     if (!lim_file_read(out->scene_path, &scene, &ignored)) return;
-    compile->method = method_of_scene(&scene.scene);
+    if (draws_what_is_asked(scene.report.draws, out, &scene.scene)) compile->method = method_that(scene.report.draws);
     compiled_free(&scene);
 }
 
@@ -382,7 +395,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     *out = (struct options){.setup = {0, 0, LIM_NEAREST_FIRST, SIMULATOR_ANY, &core_fast},
                             .orbit_frames = ORBIT_FRAMES,
                             .frames_per_s = 15.0,
-                            .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT}};
+                            .compile = compile_options_usual()};
     opterr = 0;
     optind = 1;
     const struct option *known = OPTIONS + (is_render ? 0 : RENDER_ONLY_OPTIONS);
@@ -410,7 +423,8 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (out->setup.panel == SIMULATOR_PANEL) options_settle_panel(out, &out->panel);
     if (!settle_frames(out, err)) return false;
     if (out->has_rate && !out->gif_path) idle_options_add(&out->idle, "fps");
-    out->compile.keep_faces = out->ids_path || out->compare;
+    out->compile.keep_faces = out->ids_path != NULL;
+    out->compile.framebuffer = out->setup.panel == SIMULATOR_FRAMEBUFFER;
     out->compile.w_px = out->setup.w_px;
     out->compile.h_px = out->setup.h_px;
     out->compile.core = out->setup.core;

@@ -44,10 +44,10 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
 /* What is drawn otherwise for such a panel, unless the command line said how: light, tones and outlines. */
 void options_settle_panel(struct options *options, const struct panel_choice *panel);
 
-/* Reads or plans the cameras and reads the scene: a .lim file as it is, anything else
- * compiled. Options that change nothing for that scene are told. `moving`: NULL, nothing moves. *scene, *moving and
+/* Reads or plans the cameras and reads the scene: a .lim file as it is, anything else compiled as `limner compile` does
+ * it, and sets setup.method to what that chose. Options that change nothing for that scene are told. `moving`: NULL, nothing moves. *scene, *moving and
  * *path must be zero and are the caller's to free, also after a failure. */
-bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
+bool options_load(struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err);
 
 /* Whether frames go to one file, whose name has no place for a number. */

@@ -2,10 +2,10 @@
  *
  * From options to a scene and its cameras. */
 #include "base/notice.h"
-#include "base/outputs.h"
 #include "cameras/facing.h"
 #include "cli/options.h"
 #include "compiler/order_choice.h"
+#include "outputs/outputs.h"
 #include "scene/scene_files.h"
 
 #include <math.h>
@@ -34,8 +34,12 @@ bool options_scene_is_compiled(const struct options *options)
     return lim_file_is_named(options->scene_path);
 }
 
-static bool load_scene(const struct options *options, struct compiled *scene, struct moving *moving, struct error *err)
+/* `path`: the cameras of a file, which the scene must suit; empty: they are found when it is known. */
+static bool load_scene(const struct options *options, const struct camera_path *path, struct compiled *scene,
+                       struct moving *moving, struct error *err)
 {
+    struct compile_options compile = options->compile;
+    compile.eyes = *path;
     if (options_scene_is_compiled(options)) {
         const bool any_does = method_needs_no_tree(options->setup.method) || options->compile.portals == PORTALS_ON;
         if (options->compile.tree != TREE_AUTO && !any_does)
@@ -46,8 +50,8 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
                (options->compile.portals != PORTALS_ON || scene->scene.place_count ||
                 error_set(err, "%s: --method portals needs a scene compiled with --portals on", options->scene_path));
     }
-    if (!moving) return compile_model(options->scene_path, &options->compile, scene, err);
-    if (!moving_compile(options->scene_path, &options->compile, &options->movers, scene, moving, err)) return false;
+    if (!moving) return compile_model(options->scene_path, &compile, scene, err);
+    if (!moving_compile(options->scene_path, &compile, &options->movers, scene, moving, err)) return false;
     model_tell(options->scene_path, &moving->model);
     return true;
 }
@@ -105,11 +109,13 @@ static void note_backs(const struct options *options, const struct moving *movin
         options->scene_path);
 }
 
-bool options_load(const struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
+bool options_load(struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err)
 {
-    if (!camera_choice_read(&options->cameras, path, err)) return false;
-    if ((path->count && !take_frames(options, path, err)) || !load_scene(options, scene, moving, err)) return false;
+    if (!compile_options_cameras(&options->compile, &options->cameras, path, err)) return false;
+    if ((path->count && !take_frames(options, path, err)) || !load_scene(options, path, scene, moving, err))
+        return false;
+    if (!options_scene_is_compiled(options)) options->setup.method = scene->report.draws;
     note_idle(options, moving);
     if (!lens_for_grid(lens, options->compile.fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,
                        options->setup.h_px, err))

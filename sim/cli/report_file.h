@@ -5,8 +5,8 @@
 #ifndef SIM_REPORT_FILE_H
 #define SIM_REPORT_FILE_H
 
-#include "base/outputs.h"
 #include "cli/bug_report.h"
+#include "outputs/outputs.h"
 
 /* Writes the report; the files' contents are those in the folder. */
 bool report_write(const struct report *report, const struct work_folder *folder, const char *path,

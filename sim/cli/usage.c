@@ -32,6 +32,7 @@ enum {
     WORST = 1 << 19,
     PAGE = 1 << 20,
     WALK = 1 << 22, /* 21: wad, which takes none */
+    SWEEP = 1 << 23,
     ONE = WORST | PAGE,
     SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG | EXPORT,
     MODELS = SCENES | MEASURE | COMPARE | SPLITTERS | ONE,
@@ -93,14 +94,19 @@ static const struct usage_command COMMANDS[] = {
     {"walk", "MODEL|SCENE.lim -o FILE.cam",
      "Walks through a scene by itself, stopped by walls, up and down steps, to see all of it: cameras for render.",
      "limner walk freedoom1.wad:E1M1 --frames 256 -o walk.cam"},
+    {"sweep", "MODEL... -o DIR",
+     "Plans a `limner measure` for each model and setting, as commands for sh, GNU parallel or Slurm; joins their "
+     "results.",
+     "limner sweep a.obj b.obj --precision fast,exact --method auto,nearest -o out/sweep"},
 };
 
 static const struct usage_entry ENTRIES[] = {
-    {0, "compile, render, view and measure, for a MODEL; compare and splitters take some of these, below:\n"},
+    {0, "compile, render, view and measure, for a MODEL, which all draw as compile decides with the same options;\n"
+        "compare and splitters take some of these, below:\n"},
     {SCENES | ONE | FIRST, "  --precision NAME    draft, fast, fine or exact (fast)\n"},
     {SCENES | MEASURE | ONE,
      "  --method NAME       nearest, painter, convex for one convex solid, scanline for flat scenes of which\n"
-     "                      little is hidden (compile, measure: chosen if cheaper); nearest first with a tree of\n"
+     "                      little is hidden (chosen if cheaper); nearest first with a tree of\n"
      "                      that kind: bsp, clusters, axis, octree (nearest or convex);\n"
      "                      without a tree: depth, by farthest points, and newell, which puts that right;\n"
      "                      mesh, triangles by distance, and mesh-depth, with a line of depths: approximate\n"
@@ -112,7 +118,7 @@ static const struct usage_entry ENTRIES[] = {
     {SCENES | MEASURE | ONE,
      "  --mesh-leaves WHICH dense parts of a tree that no plane divides, ordered by distance: approximate; all of\n"
      "                      those that may be, none, or auto: where method and tree are open, those that cost less\n"
-     "                      and err no more than the precision promises (auto; render, view: none)\n"},
+     "                      and err no more than the precision promises (auto)\n"},
     {SCENES | MEASURE | COMPARE | SPLITTERS | ONE,
      "  --coordinates BITS  16; 32 for scenes of many scales, in which the smallest face is 2^16 times smaller than\n"
      "                      all of it, or less; or auto: 32 where 16 would lose faces, or with --max-error err more\n"
@@ -167,9 +173,9 @@ static const struct usage_entry ENTRIES[] = {
      "                      opaque scenes in whole colours, in which nothing moves\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
      "  --overlay           for text and figures over the frames (firmware/overlay.h; measure: the frame's number)\n"},
-    {COMPILE | EXPORT | MEASURE | ONE,
-     "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (measure: off)\n"},
-    {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
+    {SCENES | MEASURE | ONE,
+     "  --portals WHEN      store what can be seen from where: on, off, or auto, where it pays (auto)\n"},
+    {(SCENES & ~REPORT_BUG) | MEASURE | COMPARE | ONE,
      "  --path FILE         the cameras that the program has, a line a frame as for --camera: method, tree and pools\n"
      "                      are for these views, and any other may cost a second walk (sampled cameras)\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | ONE,
@@ -208,7 +214,8 @@ static const struct usage_entry ENTRIES[] = {
      "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames); or\n"
      "                      random:SEED[:FRAMES], at random in the scene's free space (64 frames); or near:...,\n"
      "                      the same near the model's faces, small ones as often as large ones; or FILE.wad:MAP,\n"
-     "                      where a map's players and things stand (16 of them, of such a MODEL)\n"},
+     "                      where a map's players and things stand (16 of them, of such a MODEL); or a .gltf or .glb\n"
+     "                      file: its cameras\n"},
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | ONE | FIRST,
      "  --fov DEG           vertical field of view (60; very wide pictures: what is 60 across)\n"},
     {RENDER | VIEW | REPORT_BUG | FIRST,
@@ -250,15 +257,26 @@ static const struct usage_entry ENTRIES[] = {
     {RENDER | REPORT_BUG, "  --check FILE        compare with such a file; exit status 1 if a frame differs\n"},
     {0, "measure:\n"},
     {0, "  --camera, --size, --fov, --near, --unlit, --keep-faces, --method, --tree, --splitter, --delta as above\n"},
-    {MEASURE | FIRST, "  -o DIR              measure.md, measure.csv, stages.csv and measure.png\n"},
+    {MEASURE | FIRST,
+     "  -o DIR              measure.md, measure.csv, stages.csv and measure.png; their column shimmer is the share\n"
+     "                      of changing pixels that have their colour back within 3 frames, of a turn of 0.011\n"
+     "                      degrees a frame and of a walk of 1 mm a frame\n"},
     {MEASURE | FIRST,
      "  --precision LIST    names, divided by commas (the four profiles); fast_4: fast with 4 sub-pixel bits\n"},
     {MEASURE, "  --sub-bits          fast_4, fast_5, fast_8 and fine_6, too: each is compiled first\n"},
     {MEASURE | FIRST, "  --core LIST         processors: m0plus, m3, m4, m33, rv32 (all)\n"},
     {MEASURE, "  --optimise NAME     what the code is for: speed, balance or size (speed: -O2; the others: -Os)\n"},
-    {MEASURE | COMPARE | FIRST,
-     "  --no-cost           accuracy only: takes neither compilers nor emulators (so without --core "
-     "where they miss)\n"},
+    {MEASURE | COMPARE | FIRST, "  --no-cost           accuracy only: takes neither compilers nor emulators\n"},
+    {MEASURE | ALONE,
+     "  --result FILE       its figures in one file, for `limner sweep --merge`, with hashes of all that was read\n"},
+    {0, "sweep, which takes what measure takes, but for --result, for all of its jobs:\n"},
+    {SWEEP,
+     "  -o DIR              jobs, one a line, slurm.sh, which makes an array of them, and results.list\n"
+     "  --precision LIST    names, divided by commas (the four profiles)\n"
+     "  --method LIST       names, divided by commas; auto: what compile chooses (auto)\n"
+     "  --merge DIR         no jobs: their results become sweep.csv; with instructions front.csv, the means of each\n"
+     "                      setting over all models, and front.png. Refused: results that are missing, of another\n"
+     "                      version, or of files that have changed since\n"},
     {0, "compare:\n"},
     {0, "  --camera, --size, --fov, --near, --unlit, --keep-faces, --no-cost as above\n"},
     {COMPARE | FIRST,
@@ -360,9 +378,10 @@ static const struct usage_entry ENTRIES[] = {
     {0, "replay:\n"},
     {REPLAY | FIRST, "  -o FILE             the report anew, with what comes out now\n"},
     {0, "all that take a MODEL, which may be a map of Doom or Freedoom, FILE.wad:MAP or IWAD.wad+PWAD.wad:MAP:\n"},
-    {MODELS | REPLAY | WALK,
+    {MODELS | REPLAY | WALK | DECODE,
      "  --time-limit SECONDS  then the best so far counts, said as such; nothing yet is an error (600, or\n"
-     "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly\n"},
+     "                      LIMNER_TIME_LIMIT in the environment; 0: none). play and view: until they fly; decode\n"
+     "                      from a pipe: none, unless it is given here\n"},
     {0, "environment:\n"},
     {MODELS | REPLAY | WALK,
      "  LIMNER_PROGRESS=10  seconds between lines of what long work does, where standard error is no terminal (10;\n"

@@ -4,12 +4,12 @@
 #include "compiler/compile.h"
 
 #include "accuracy/predict.h"
+#include "accuracy/promise.h"
 #include "base/grow.h"
+#include "compiler/coordinates.h"
+#include "compiler/decision.h"
 #include "compiler/faithful.h"
-#include "compiler/mesh_choice.h"
-#include "compiler/mesh_leaf_choice.h"
 #include "compiler/texture_budget.h"
-#include "core/core.h"
 #include "model/original.h"
 #include "readers/import_motion.h"
 #include "readers/model_read.h"
@@ -28,56 +28,66 @@ static void report_notes(struct compile_report *report, const struct mesh *mesh)
 
 /* The reference sees the file's faces, all of them and unrounded, at the points of its own reader; which picture they
  * show is not asked. */
-static bool predict_reference(const struct model *model, const struct grid *grid, struct reference *reference,
-                              struct error *err)
+static bool clean_for_reference(const struct model *model, const struct grid *grid, struct mesh *fine,
+                                struct error *err)
 {
     struct model flat = source_view(model);
-    struct mesh fine;
     flat.picture_count = 0;
     flat.faces = grow_zeroed(model->face_count, sizeof *flat.faces);
     for (size_t i = 0; i < model->face_count; i++) {
         flat.faces[i] = model->faces[i];
         flat.faces[i].picture = 0;
     }
-    bool ok = mesh_clean_fine(&flat, grid, &fine, err);
+    const bool ok = mesh_clean_fine(&flat, grid, fine, err);
     free(flat.faces);
-    if (!ok) return false;
-    ok = reference_init(reference, &fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err);
-    mesh_free(&fine);
     return ok;
 }
 
-/* What the reference has a say in. */
-static bool compile_held_against(const struct model *model, const struct mesh *mesh,
-                                 const struct compile_options *options, struct compiled *out, struct error *err)
+static bool predict(const struct mesh *mesh, const struct mesh *fine, const struct compile_options *options,
+                    struct compiled *out, struct error *err)
 {
     struct reference reference = {0};
-    struct mesh_trials trials;
-    struct leaf_trial leaves = {0};
-    const bool may_be_mesh = mesh_choice_try(mesh, options, out, &trials);
-    const bool known = may_be_mesh || options->predict;
-    bool ok = !known || predict_reference(model, &mesh->grid, &reference, err);
-    if (ok && may_be_mesh) ok = mesh_choice_settle(&trials, mesh, options, &reference, mesh->merged_into, out, err);
-    if (ok && leaf_trial_begin(&leaves, mesh, options, out))
-        ok = (known || predict_reference(model, &mesh->grid, &reference, err)) &&
-             leaf_trial_settle(&leaves, &reference, mesh->merged_into, out, err);
-    if (ok && options->predict)
-        ok = predict_wrong(out, options->core, &reference, mesh->merged_into, &out->report.wrong, err);
+    const bool ok =
+        reference_init(&reference, fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
+        predict_wrong(out, options->core, &reference, mesh->merged_into, mesh->counts.faces, &out->report.wrong, err);
     reference_free(&reference);
-    mesh_trials_free(&trials);
-    leaf_trial_free(&leaves);
     return ok;
+}
+
+/* Which faces of the file are one polygon, is kept for whoever compares pictures. */
+static void keep_groups(struct compiled *out, struct mesh *mesh)
+{
+    out->groups = mesh->merged_into;
+    mesh->merged_into = NULL;
 }
 
 static bool compile_cleaned(const struct model *model, struct mesh *mesh, const struct compile_options *options,
                             struct compiled *out, struct error *err)
 {
-    bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
-              faithful_compile(mesh, options, out, err);
-    out->report.near_m = options->near_m;
-    ok = ok && compile_held_against(model, mesh, options, out, err);
-    if (ok) report_notes(&out->report, mesh);
-    out->report.core = options->core ? options->core : &core_fast;
+    struct mesh fine = {0};
+    const bool is_asked = options->predict || decision_asks_reference(options);
+    const bool ok = (options->keep_faces || mesh_merge(mesh, err)) && mesh_insert_t_vertices(mesh, err) &&
+                    (!is_asked || clean_for_reference(model, &mesh->grid, &fine, err)) &&
+                    decision_make(mesh, is_asked ? &fine : NULL, options, out, err) &&
+                    (!options->predict || predict(mesh, &fine, options, out, err));
+    mesh_free(&fine);
+    if (!ok) return false;
+    report_notes(&out->report, mesh);
+    promise_note(out);
+    keep_groups(out, mesh);
+    return true;
+}
+
+/* What the grid alone did not tell: the tree's planes break the promise of some face. */
+static bool compile_long(const struct model *model, const struct compile_options *options, struct compiled *out,
+                         struct error *err)
+{
+    struct compile_options own = *options;
+    struct mesh mesh;
+    own.coordinates = COORDINATES_32;
+    if (!coordinates_clean(model, &own, &mesh, err)) return false;
+    const bool ok = compile_cleaned(model, &mesh, &own, out, err);
+    mesh_free(&mesh);
     return ok;
 }
 
@@ -85,10 +95,18 @@ bool compile_part(const struct model *model, const struct grid *grid, const stru
                   struct compiled *out, struct error *err)
 {
     struct mesh mesh;
-    if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : faithful_clean(model, options, &mesh, err))) return false;
+    if (!(grid ? mesh_clean_on(model, grid, &mesh, err) : coordinates_clean(model, options, &mesh, err))) return false;
     bool ok = compile_cleaned(model, &mesh, options, out, err);
+    const bool may_retry = !ok && !grid && out->report.is_refused && coordinates_may_retry(&mesh, options);
     mesh_free(&mesh);
-    return ok;
+    return may_retry ? compile_long(model, options, out, err) : ok;
+}
+
+bool compile_source(const char *path, struct model *model, const struct compile_options *options, struct error *err)
+{
+    bool known;
+    if (!options->predict && !decision_asks_reference(options)) return true;
+    return options->predict ? source_take(path, model, err) : source_find(path, model, &known, err);
 }
 
 bool compile_model(const char *path, const struct compile_options *options, struct compiled *out, struct error *err)
@@ -97,7 +115,7 @@ bool compile_model(const char *path, const struct compile_options *options, stru
     *out = (struct compiled){0};
     motions_leave_out(true); /* nothing moves in a scene alone */
     if (!model_read(path, &options->orientation, &model, err)) return false;
-    bool ok = !options->predict || source_take(path, &model, err);
+    bool ok = compile_source(path, &model, options, err);
     compile_options_light(options, &model);
     ok = ok && ((texture_budget_apply(&model, options, err) && compile_part(&model, NULL, options, out, err)) ||
                 error_prefix(err, path));

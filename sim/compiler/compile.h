@@ -11,6 +11,10 @@
 bool compile_part(const struct model *model, const struct grid *grid, const struct compile_options *options,
                   struct compiled *out, struct error *err);
 
+/* The points of the reference's own reader, which has a say in what is chosen; that it has none for a file is noted
+ * where wrong pixels are predicted. */
+bool compile_source(const char *path, struct model *model, const struct compile_options *options, struct error *err);
+
 /* Model file -> compiled scene, all steps; what is animated stays where the file has it. */
 bool compile_model(const char *path, const struct compile_options *options, struct compiled *out, struct error *err);
 

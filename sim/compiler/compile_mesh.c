@@ -86,6 +86,7 @@ static void report_tree(struct compile_report *report, const struct bsp *bsp, co
                         const struct splitter *splitter)
 {
     report->splits = bsp->splits;
+    report->covered = bsp->coplanar->layers.covered;
     report->worst_violation_units = bsp_worst_violation(bsp);
     for (size_t i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].split.plane != LIM_NO_INDEX)
@@ -310,7 +311,7 @@ static bool compile_measured(struct compiled *out, const struct compile_options 
     const struct deadline_end whole = deadline_share(MEASURED_SHARE);
     const bool ok =
         pools_measure(out, options->core, side_or_default(options->w_px), side_or_default(options->h_px), err) &&
-        order_choose(out, options, err) && portals_add(out, options, err);
+        order_choose(out, options, err);
     deadline_restore(whole);
     return ok;
 }
@@ -359,6 +360,16 @@ bool compilation_tree(struct compilation *work, enum tree_kind kind, struct comp
     return ok;
 }
 
+bool compilation_portals(const struct compilation *work, struct compiled *out, struct error *err)
+{
+    const struct deadline_end whole = deadline_share(MEASURED_SHARE);
+    const bool ok = portals_add(out, work->options, err);
+    deadline_restore(whole);
+    progress_end();
+    if (!ok) compiled_free(out);
+    return ok;
+}
+
 void compilation_end(struct compilation *work)
 {
     coplanar_free(&work->coplanar);
@@ -371,7 +382,8 @@ bool compile_mesh(const struct mesh *mesh, const struct compile_options *options
 {
     struct compilation work;
     *out = (struct compiled){0};
-    const bool ok = compilation_begin(&work, mesh, options, err) && compilation_tree(&work, options->tree, out, err);
+    const bool ok = compilation_begin(&work, mesh, options, err) && compilation_tree(&work, options->tree, out, err) &&
+                    compilation_portals(&work, out, err);
     compilation_end(&work);
     return ok;
 }

@@ -26,6 +26,9 @@ bool compilation_begin(struct compilation *work, const struct mesh *mesh, const 
 /* Builds the best tree of a kind, TREE_AUTO being BSP, and encodes it. */
 bool compilation_tree(struct compilation *work, enum tree_kind kind, struct compiled *out, struct error *err);
 
+/* What portals show of it, if the options want that and it pays: of the tree that is kept, as it takes seconds. */
+bool compilation_portals(const struct compilation *work, struct compiled *out, struct error *err);
+
 void compilation_end(struct compilation *work);
 
 /* Whether a tree splits so much that other heuristics, or other kinds, are better. */

@@ -5,7 +5,7 @@
 
 #include "base/choice.h"
 #include "base/parse.h"
-#include "cameras/camera_choice.h"
+#include "cameras/gltf_cameras.h"
 #include "core/core.h"
 #include "model/baked_light.h"
 #include "model/model.h"
@@ -43,6 +43,52 @@ static bool parse_coordinates(const char *text, enum coordinates *out, struct er
     return true;
 }
 
+bool portals_parse(const char *text, enum portals_wanted *out, struct error *err)
+{
+    static const char *const names[] = {[PORTALS_OFF] = "off", [PORTALS_AUTO] = "auto", [PORTALS_ON] = "on"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(text, names[i]) != 0) continue;
+        *out = (enum portals_wanted)i;
+        return true;
+    }
+    return error_set(err, "--portals %s: there are on, off and auto", text);
+}
+
+static const double USUAL_DEG = 60; /* of a picture whose size nobody has said */
+
+bool compile_options_cameras(const struct compile_options *options, const struct camera_choice *choice,
+                             struct camera_path *out, struct error *err)
+{
+    struct camera_choice here = *choice;
+    here.z_is_up = options->orientation.up == UP_Z;
+    here.fov_deg = options->fov_deg;
+    if (!(here.fov_deg > 0))
+        here.fov_deg = options->h_px ? lens_usual_fov_deg(options->w_px, options->h_px) : USUAL_DEG;
+    return camera_choice_read(&here, out, err);
+}
+
+/* What was read before is freed. */
+static bool parse_path(const char *text, struct compile_options *out, struct error *err)
+{
+    struct camera_choice choice;
+    if (!camera_choice_parse(text, &choice, err)) return false;
+    if (choice.random_count) return error_set(err, "--path %s: a program's cameras are in a file, not at random", text);
+    if (gltf_cameras_are_named(text))
+        return error_set(err, "--path %s: a file of cameras, or a map; those of glTF are for --camera alone", text);
+    choice.takes_times = true;
+    camera_path_free(&out->path);
+    return camera_choice_read(&choice, &out->path, err);
+}
+
+struct compile_options compile_options_usual(void)
+{
+    return (struct compile_options){.tolerance_units = 0.5,
+                                    .splitter = "auto",
+                                    .trial = TRIAL_IF_SPLIT,
+                                    .choose_order = true,
+                                    .portals = PORTALS_AUTO};
+}
+
 bool compile_options_know(int code)
 {
     return code >= ORIENTATION_UP && code < COMPILE_CODES_END;
@@ -66,6 +112,10 @@ bool compile_options_take(int code, const char *text, struct compile_options *ou
         return true;
     case COMPILE_MESH_LEAVES:
         return parse_mesh_leaves(text, &out->mesh_leaves, err);
+    case COMPILE_PORTALS:
+        return portals_parse(text, &out->portals, err);
+    case COMPILE_PATH:
+        return parse_path(text, out, err);
     case COMPILE_FOV:
         return parse_fov(text, &out->fov_deg, err);
     default:
@@ -88,16 +138,6 @@ bool compile_options_settle(struct compile_options *options, struct error *err)
     return method->tree == TREE_AUTO || method->tree == options->tree ||
            error_set(err, "--method %s --tree %s: that method has a tree of its own", method->name,
                      tree_names[options->tree]);
-}
-
-bool compile_path_parse(const char *text, struct compile_options *out, struct error *err)
-{
-    struct camera_choice choice;
-    if (!camera_choice_parse(text, &choice, err)) return false;
-    if (choice.random_count) return error_set(err, "--path %s: a program's cameras are in a file, not at random", text);
-    choice.takes_times = true;
-    camera_path_free(&out->path);
-    return camera_choice_read(&choice, &out->path, err);
 }
 
 void compile_options_free(struct compile_options *options)
@@ -128,7 +168,7 @@ bool compile_options_may_leaf(const struct compile_options *options)
     return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
 }
 
-static bool may_be_long(const struct compile_options *options)
+bool compile_options_may_be_long(const struct compile_options *options)
 {
     const enum lim_method draws = compile_options_draws(options);
     if (options->drop_small) return false;
@@ -138,7 +178,7 @@ static bool may_be_long(const struct compile_options *options)
 
 bool compile_options_coordinates(const struct compile_options *options, enum coordinates *out, struct error *err)
 {
-    const bool may = may_be_long(options);
+    const bool may = compile_options_may_be_long(options);
     *out = may ? options->coordinates : COORDINATES_16;
     return may || options->coordinates != COORDINATES_32 ||
            error_set(err, "--coordinates 32: not with --drop-small, mesh leaves, or methods that do not walk a tree");
@@ -146,6 +186,5 @@ bool compile_options_coordinates(const struct compile_options *options, enum coo
 
 void compile_options_light(const struct compile_options *options, struct model *model)
 {
-    if (options->unlit) return;
-    (options->mono ? light_bake_mono : light_bake)(model);
+    (options->unlit ? light_none : options->mono ? light_bake_mono : light_bake)(model);
 }

@@ -5,7 +5,7 @@
 #define SIM_COMPILE_OPTIONS_H
 
 #include "base/error.h"
-#include "cameras/camera_path.h"
+#include "cameras/camera_choice.h"
 #include "model/model_orientation.h"
 #include "scene/method.h"
 #include "scene/tree_kind.h"
@@ -59,6 +59,7 @@ struct compile_options {
     double forced_near_m;    /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
     bool drop_small;         /* leave out what is too small for the grid, instead of refusing the model */
     struct camera_path path; /* cameras that it is chosen for, compile_options_free()'s; empty: sampled ones */
+    struct camera_path eyes; /* cameras that must see it, somebody else's; empty: they are not known */
     size_t worst_tries;      /* cameras to search the worst views among, for pools that hold them; 0: none */
     bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
 };
@@ -72,6 +73,7 @@ struct compile_options {
 #define COMPILE_TREE_OPTIONS                                                                                           \
     {"tree", required_argument, NULL, COMPILE_TREE}, {"splitter", required_argument, NULL, COMPILE_SPLITTER},          \
         {"mesh-leaves", required_argument, NULL, COMPILE_MESH_LEAVES},                                                 \
+        {"portals", required_argument, NULL, COMPILE_PORTALS}, {"path", required_argument, NULL, COMPILE_PATH},        \
     {                                                                                                                  \
         "fov", required_argument, NULL, COMPILE_FOV                                                                    \
     }
@@ -83,18 +85,21 @@ enum compile_code {
     COMPILE_TREE,
     COMPILE_SPLITTER,
     COMPILE_MESH_LEAVES,
+    COMPILE_PORTALS,
+    COMPILE_PATH,
     COMPILE_FOV,
     COMPILE_CODES_END
 };
 
+/* Those of a command line that says nothing, for all commands alike: what they choose is the same (decision.h). */
+struct compile_options compile_options_usual(void);
+
 /* Whether a code is one of these. */
 bool compile_options_know(int code);
 
-/* Sets what it is the code of. text: the option's value, or NULL; that of --splitter stays the caller's. */
+/* Sets what it is the code of. text: the option's value, or NULL; that of --splitter stays the caller's. --path reads a
+ * camera file, or a map's cameras. */
 bool compile_options_take(int code, const char *text, struct compile_options *out, struct error *err);
-
-/* --path: reads a camera file, or a map's cameras. What was read before is freed. */
-bool compile_path_parse(const char *text, struct compile_options *out, struct error *err);
 
 /* Whether scenes may have mesh leaves: not where the order is promised, or by methods that do not walk a tree, as
  * wireframe, into a framebuffer, or beside portals. */
@@ -103,6 +108,15 @@ bool compile_options_may_leaf(const struct compile_options *options);
 /* The coordinates that a model's scene may have: what is not drawn by a method that walks a tree of all polygons cannot
  * be long (firmware/long.h), and has 16 bits. Refuses it where 32 were asked for. */
 bool compile_options_coordinates(const struct compile_options *options, enum coordinates *out, struct error *err);
+
+/* camera_choice_read(), of cameras for a model that is taken so. */
+bool compile_options_cameras(const struct compile_options *options, const struct camera_choice *choice,
+                             struct camera_path *out, struct error *err);
+
+/* Whether a scene may have 32 where it needs them. */
+bool compile_options_may_be_long(const struct compile_options *options);
+/* --portals: off, auto or on; anything else is refused. */
+bool portals_parse(const char *text, enum portals_wanted *out, struct error *err);
 
 /* What options own: after the scenes, which may lead into it, whether they were parsed or not. */
 void compile_options_free(struct compile_options *options);

@@ -149,14 +149,33 @@ static void piece_encode(struct encoder *work, uint32_t index, bool back_run)
     if (work->outline.count) outline_encode(work, &work->outline, polygon);
 }
 
+/* A node's pieces, nearest first where they lie over one another as that side sees them. The caller frees them. */
+static uint32_t *run_order(const struct bsp *bsp, const struct bsp_node *node, bool back_run)
+{
+    uint32_t *pieces = grow_zeroed(node->count, sizeof *pieces), *polygons = grow_zeroed(node->count, sizeof *polygons);
+    bool *in_front = grow_zeroed(node->count, sizeof *in_front);
+    for (size_t i = 0; i < node->count; i++) {
+        polygons[i] = bsp->pieces[bsp->placed[node->first + i]].polygon;
+        in_front[i] = bsp->coplanar->faces_back[polygons[i]] == back_run;
+    }
+    layers_order(&bsp->coplanar->layers, polygons, in_front, node->count, pieces);
+    for (size_t i = 0; i < node->count; i++)
+        pieces[i] = bsp->placed[node->first + pieces[i]];
+    free(polygons);
+    free(in_front);
+    return pieces;
+}
+
 /* The records of a node's pieces that are seen from one side; their word offset or LIM_NO_INDEX. */
 static size_t run_encode(struct encoder *work, const struct bsp_node *node, bool back_run)
 {
     struct encoding *out = work->out;
     size_t first = out->word_count;
     work->flags = 0;
+    uint32_t *pieces = run_order(work->bsp, node, back_run);
     for (size_t i = 0; i < node->count; i++)
-        piece_encode(work, work->bsp->placed[node->first + i], back_run);
+        piece_encode(work, pieces[i], back_run);
+    free(pieces);
     if (out->word_count == first) return LIM_NO_INDEX;
     out->words[out->last_record] |= LIM_POLYGON_LAST;
     return first;

@@ -6,6 +6,7 @@
 
 #include "base/grow.h"
 #include "base/rgb565.h"
+#include "base/rgb888.h"
 #include "base/vec3.h"
 #include "colour.h"
 
@@ -36,14 +37,6 @@ static uint32_t light_of(uint32_t colour, unsigned bits)
     return light;
 }
 
-static uint32_t lit(uint32_t colour, uint32_t light)
-{
-    uint32_t out = 0;
-    for (int shift = 16; shift >= 0; shift -= 8)
-        out = out << 8 | ((colour >> shift & 0xFF) * (light >> shift & 0xFF) + 127) / 255;
-    return out;
-}
-
 bool texture_is_masked(const struct mesh *mesh, const struct mesh_polygon *polygon)
 {
     return polygon->mapping && mesh->textures[mesh->mappings[polygon->mapping].texture].is_masked;
@@ -56,7 +49,7 @@ uint32_t texture_light_of(uint32_t colour)
 
 uint32_t texture_flat_colour(const struct mesh *mesh, const struct mesh_polygon *polygon)
 {
-    return lit(mesh->textures[mesh->mappings[polygon->mapping].texture].mean, polygon->colour);
+    return rgb888_times(mesh->textures[mesh->mappings[polygon->mapping].texture].mean, polygon->colour);
 }
 
 static uint64_t look_key(const struct texture_encoder *encoder, const struct mesh_polygon *polygon)
@@ -105,7 +98,8 @@ static uint16_t palette_add(struct texture_arrays *out, const struct texture *te
     const size_t first = out->palette_colours;
     for (size_t i = 0; i < texture->colours; i++) {
         out->palettes = grow(out->palettes, out->palette_colours, &out->palette_capacity, sizeof *out->palettes);
-        out->palettes[out->palette_colours++] = lim_memory_colour(rgb565_nearest(lit(texture->palette[i], light)));
+        out->palettes[out->palette_colours++] =
+            lim_memory_colour(rgb565_nearest(rgb888_times(texture->palette[i], light)));
     }
     return (uint16_t)first;
 }

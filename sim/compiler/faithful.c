@@ -10,6 +10,7 @@
 #include "cameras/camera_path.h"
 #include "compiler/tree_choice.h"
 #include "core/core.h"
+#include "model/extent.h"
 #include "model/grid.h"
 #include "model/original.h"
 #include "scene/records.h"
@@ -23,17 +24,22 @@ enum { NAMED = 3, ROUNDS = 8 };
 static const double COVERED_UNITS = 2.0; /* a surface that is as near takes a sliver's place */
 static const double JOINED = 2.0;        /* how much larger faces may be that are left out with one */
 
+/* The planes of a face's records, each once: a bent face has several. */
+struct face_planes {
+    const struct lim_plane_ref **refs;
+    size_t count, capacity;
+};
+
 /* What is asked of every face. */
 struct judging {
     const struct original *original;
     const struct mesh *mesh;
     const struct compiled *scene; /* or NULL */
     bool has_fractions;
-    const struct lim_plane_ref *
-        *planes;    /* of each face number of the mesh, by which its records are seen; NULL: none */
-    bool *is_drawn; /* of each: whether it has records. A mesh has records without planes */
-    double seen_m;  /* what is smaller is not looked at */
-    double cut_m;   /* what is smaller is cut away where a camera comes as near; 0: it is not, or was asked for */
+    struct face_planes *planes; /* of each face number of the mesh, by which its records are seen; count 0: none */
+    bool *is_drawn;             /* of each: whether it has records. A mesh has records without planes */
+    double seen_m;              /* what is smaller is not looked at */
+    double cut_m; /* what is smaller is cut away where a camera comes as near; 0: it is not, or was asked for */
     uint8_t *faults;
 };
 
@@ -64,26 +70,60 @@ static double corners_moved(const struct judging *judging, const struct original
     return sqrt(most2);
 }
 
-/* How far the farthest corner is off the plane by which the renderer decides whether the face is seen, units. */
-static double plane_off(const struct judging *judging, const struct original_face *face,
-                        const struct lim_plane_ref *ref)
+static double off_plane(const struct judging *judging, const struct lim_plane_ref *ref, const double at_m[3])
 {
     int64_t n[3], d;
-    double most = 0;
-    if (!ref) return 0; /* the faces of a mesh, and of a mesh leaf, are seen by the corners that are drawn */
+    double at[3];
     plane_exact(&judging->scene->scene, ref, n, &d);
-    const double normal[3] = {(double)n[0], (double)n[1], (double)n[2]}, length = sqrt(vec3_dot(normal, normal));
-    for (uint32_t k = face->first; k < face->first + face->count; k++) {
-        double at[3];
-        to_units(&judging->mesh->grid, judging->original->corners_m[k], at);
-        most = fmax(most, fabs(vec3_dot(normal, at) - (double)d) / length);
-    }
-    return most;
+    const double normal[3] = {(double)n[0], (double)n[1], (double)n[2]};
+    to_units(&judging->mesh->grid, at_m, at);
+    return fabs(vec3_dot(normal, at) - (double)d) / sqrt(vec3_dot(normal, normal));
 }
 
-static const struct lim_plane_ref *plane_of(const struct judging *judging, size_t face)
+static double off_planes(const struct judging *judging, const struct face_planes *planes, const double at_m[3])
 {
-    return judging->planes[judging->mesh->merged_into[face + 1]];
+    double least = INFINITY;
+    for (size_t i = 0; i < planes->count; i++)
+        least = fmin(least, off_plane(judging, planes->refs[i], at_m));
+    return least;
+}
+
+static int by_face(const void *face, const void *piece)
+{
+    const uint32_t a = *(const uint32_t *)face, b = ((const struct mesh_piece *)piece)->face;
+    return (a > b) - (a < b);
+}
+
+/* Pieces of a face that are not where its first one is; *end is behind the last. NULL: there are none. */
+static const struct mesh_piece *pieces_of(const struct mesh *mesh, uint32_t face, const struct mesh_piece **end)
+{
+    const struct mesh_piece *all = mesh->pieces, *first;
+    if (!mesh->piece_count || !(first = bsearch(&face, all, mesh->piece_count, sizeof *all, by_face))) return NULL;
+    for (*end = first; *end < all + mesh->piece_count && (*end)->face == face; ++*end)
+        ;
+    while (first > all && first[-1].face == face)
+        first--;
+    return first;
+}
+
+/* How far the farthest corner is off the plane of its part of the face, by which the renderer decides whether that is
+ * seen, units. A bent face is several triangles, each with a plane of its own. */
+static double plane_off(const struct judging *judging, size_t index)
+{
+    const struct original_face *face = &judging->original->faces[index];
+    const uint32_t number = (uint32_t)index + 1;
+    const struct face_planes *first = &judging->planes[judging->mesh->merged_into[number]];
+    const struct mesh_piece *end = NULL, *pieces = pieces_of(judging->mesh, number, &end);
+    double most = 0;
+    if (!first->count) return 0; /* the faces of a mesh, and of a mesh leaf, are seen by the corners that are drawn */
+    for (uint32_t k = face->first; k < face->first + face->count; k++) {
+        const double *at_m = judging->original->corners_m[k];
+        double off = off_planes(judging, first, at_m);
+        for (const struct mesh_piece *piece = pieces; piece && piece < end; piece++)
+            off = fmin(off, off_planes(judging, &judging->planes[piece->into], at_m));
+        most = fmax(most, off);
+    }
+    return most;
 }
 
 static bool is_drawn(const struct judging *judging, size_t face)
@@ -93,6 +133,15 @@ static bool is_drawn(const struct judging *judging, size_t face)
 
 /* Planes ------------------------------------------------------------------------------------- */
 
+static void plane_add(struct face_planes *planes, const struct lim_plane_ref *ref)
+{
+    for (size_t i = 0; ref && i < planes->count; i++)
+        if (planes->refs[i]->plane == ref->plane && planes->refs[i]->offset == ref->offset) return;
+    if (!ref) return; /* a mesh leaf's */
+    planes->refs = grow(planes->refs, planes->count, &planes->capacity, sizeof(const struct lim_plane_ref *));
+    planes->refs[planes->count++] = ref;
+}
+
 static void note_run(struct judging *judging, const uint32_t *numbers, lim_index run, const struct lim_plane_ref *split)
 {
     const struct lim_scene *scene = &judging->scene->scene;
@@ -101,7 +150,7 @@ static void note_run(struct judging *judging, const uint32_t *numbers, lim_index
         const uint32_t face = judging->scene->faces[numbers[word]];
         const struct lim_plane_ref *own =
             record_at(scene, word).flags & LIM_POLYGON_PLANE ? lim_record_plane(&scene->polygons[word]) : NULL;
-        if (!judging->planes[face]) judging->planes[face] = split ? split : own;
+        plane_add(&judging->planes[face], split ? split : own);
         if (record_at(scene, word).flags & LIM_POLYGON_LAST) return;
     }
 }
@@ -180,9 +229,7 @@ static enum faithful_fault judge_place(const struct judging *judging, size_t ind
     const bool moved = corners_moved(judging, face, judging->has_fractions) > FAITHFUL_SHARE * size_units;
     if (!judging->scene) return moved ? FAITHFUL_MOVED : FAITHFUL_KEPT;
     if (is_drawn(judging, index))
-        return moved || plane_off(judging, face, plane_of(judging, index)) > FAITHFUL_PLANE_SHARE * size_units
-                   ? FAITHFUL_MOVED
-                   : FAITHFUL_KEPT;
+        return moved || plane_off(judging, index) > FAITHFUL_PLANE_SHARE * size_units ? FAITHFUL_MOVED : FAITHFUL_KEPT;
     if (moved) return FAITHFUL_VANISHED;
     return face->width_m < judging->seen_m || is_covered(judging, face) ? FAITHFUL_KEPT : FAITHFUL_VANISHED;
 }
@@ -192,7 +239,7 @@ static enum faithful_fault judge_face(const struct judging *judging, size_t inde
     const struct original_face *face = &judging->original->faces[index];
     if (!face->count || face->size_m < judging->seen_m) return FAITHFUL_KEPT;
     const enum faithful_fault fault = judge_place(judging, index);
-    return judging->scene && fault == FAITHFUL_KEPT && face->size_m < judging->cut_m ? FAITHFUL_CUT : fault;
+    return fault == FAITHFUL_KEPT && face->size_m < judging->cut_m ? FAITHFUL_CUT : fault;
 }
 
 static bool is_exact(const struct compile_options *options)
@@ -218,21 +265,30 @@ static struct judging judging_of(const struct mesh *mesh, const struct compile_o
     return judging;
 }
 
-uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene)
+static void judging_free(struct judging *judging)
+{
+    for (size_t i = 0; judging->planes && i <= judging->mesh->counts.faces; i++)
+        free(judging->planes[i].refs);
+    free(judging->planes);
+    free(judging->is_drawn);
+}
+
+/* For each face of the original what became of it; the caller's to free. `scene`: NULL, the grid alone is judged, for
+ * what options->core rounds to. */
+static uint8_t *judge(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene)
 {
     struct judging judging = judging_of(mesh, options, scene);
     uint8_t *faults = grow_zeroed(mesh->original->face_count, sizeof *faults);
     for (size_t i = 0; i < mesh->original->face_count; i++)
         faults[i] = (uint8_t)judge_face(&judging, i);
-    free(judging.planes);
-    free(judging.is_drawn);
+    judging_free(&judging);
     return faults;
 }
 
 bool faithful_wants_finer(const struct mesh *mesh, const struct compile_options *options)
 {
     if (!mesh->original) return false;
-    uint8_t *faults = faithful_judge(mesh, options, NULL);
+    uint8_t *faults = judge(mesh, options, NULL);
     bool any = false;
     for (size_t i = 0; i < mesh->original->face_count && !any; i++)
         any = faults[i] != FAITHFUL_KEPT;
@@ -255,12 +311,11 @@ static bool exact_helps(const struct mesh *mesh, const struct compile_options *o
         helps = !face->count || face->size_m < judging.seen_m || face->size_m >= judging.cut_m;
         if (!faults[i] || !helps) continue;
         const bool is_known = scene && is_drawn(&judging, i);
-        const double off = is_known ? plane_off(&judging, face, plane_of(&judging, i)) : options->tolerance_units;
+        const double off = is_known ? plane_off(&judging, i) : options->tolerance_units;
         helps = corners_moved(&judging, face, true) <= FAITHFUL_SHARE * size_units &&
                 off <= FAITHFUL_PLANE_SHARE * size_units;
     }
-    free(judging.planes);
-    free(judging.is_drawn);
+    judging_free(&judging);
     return helps;
 }
 
@@ -284,6 +339,38 @@ static size_t name_faults(const struct original *original, const uint8_t *faults
     return count;
 }
 
+/* Whether coordinates of 32 bits would do. Of the mesh only what it was made from counts, which nobody has welded. */
+static bool long_helps(const struct mesh *mesh, const struct compile_options *options)
+{
+    struct original original = *mesh->original;
+    struct mesh own = *mesh;
+    const struct grid_views views = {.near_m = options->near_m};
+    if (mesh->grid.is_long || options->whole_leaf) return false;
+    original.points = grow_zeroed(original.corner_count, sizeof *original.points);
+    for (uint32_t i = 0; i < original.corner_count; i++)
+        original.points[i] = i;
+    own.original = &original;
+    own.points = original.corners_m;
+    grid_scale_long(extent_longest_side(original.corners_m, original.points, (uint32_t)original.corner_count),
+                    original.faces[original.by_size[0]].size_m, &views, &own.grid);
+    const bool helps = !faithful_wants_finer(&own, options);
+    free(original.points);
+    return helps;
+}
+
+/* What a refusal advises: what draws the model as it is, and only where nothing does, to change it. */
+static const char *advice(const struct mesh *mesh, const struct compile_options *options, bool exact_does)
+{
+    static const char *const texts[2][2] = {
+        {"split the model into several scenes, enlarge what is small", "take --precision exact"},
+        {"take --coordinates 32", "take --coordinates 32, take --precision exact"}};
+    const bool long_does = mesh->original->seen_count && long_helps(mesh, options);
+    if (long_does && !compile_options_may_be_long(options))
+        return exact_does ? texts[0][1]
+                          : "take a method that walks a tree, without --mesh-leaves all, for coordinates of 32 bits";
+    return texts[long_does][exact_does];
+}
+
 static bool refuse(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene,
                    const uint8_t *faults, struct error *err)
 {
@@ -296,14 +383,14 @@ static bool refuse(const struct mesh *mesh, const struct compile_options *option
     if (worst == FAITHFUL_CUT)
         return error_set(err,
                          "face %s%s: %zu of %zu faces are smaller than the distance within which nothing is drawn on a "
-                         "grid with units of %.3g m; split the model into several scenes, or give --near %.3g",
-                         names, more, count, original->seen_count, unit_m,
+                         "grid with units of %.3g m; %s, or give --near %.3g",
+                         names, more, count, original->seen_count, unit_m, advice(mesh, options, false),
                          fmax(options->forced_near_m, lens_forced_near_m(&mesh->grid)) * LENS_PRINTED_UP);
     return error_set(err,
-                     "face %s%s: %zu of %zu faces would vanish or move too far on a grid with units of %.3g m; "
-                     "split the model into several scenes, enlarge what is small, leave it out by --drop-small%s",
+                     "face %s%s: %zu of %zu faces would vanish or move too far on a grid with units of %.3g m; %s, or "
+                     "leave it out by --drop-small",
                      names, more, count, original->seen_count, unit_m,
-                     exact_helps(mesh, options, scene, faults) ? ", or take --precision exact" : "");
+                     advice(mesh, options, exact_helps(mesh, options, scene, faults)));
 }
 
 /* Leaving out -------------------------------------------------------------------------------- */
@@ -350,6 +437,7 @@ struct leaving {
     struct mesh mesh;
     uint8_t *faults; /* of all rounds */
     bool *is_out;    /* of each face number of the mesh */
+    bool is_refused;
 };
 
 /* Of a scene, or of rounding alone: false if it cannot be helped. */
@@ -357,13 +445,15 @@ static bool settle(struct leaving *leaving, const struct compile_options *option
                    bool *changed, struct error *err)
 {
     struct mesh *mesh = &leaving->mesh;
-    uint8_t *faults = faithful_judge(mesh, options, scene);
+    uint8_t *faults = judge(mesh, options, scene);
     bool any = false, ok = true;
     for (size_t i = 0; i < mesh->original->face_count; i++) {
-        if (leaving->faults[i]) faults[i] = FAITHFUL_KEPT; /* it is out already */
+        if (leaving->faults[i]) faults[i] = FAITHFUL_KEPT;                  /* it is out already */
+        if (!scene && faults[i] == FAITHFUL_CUT) faults[i] = FAITHFUL_KEPT; /* perhaps it vanishes, which is worse */
         any |= faults[i] != FAITHFUL_KEPT;
     }
     if (any && !options->drop_small) ok = refuse(mesh, options, scene, faults, err);
+    leaving->is_refused = !ok;
     if (any && ok) {
         add_joined(mesh->original, faults);
         for (size_t i = 0; i < mesh->original->face_count; i++)
@@ -403,11 +493,13 @@ bool faithful_compile(const struct mesh *mesh, const struct compile_options *opt
 {
     *out = (struct compiled){0};
     if (!mesh->original) return tree_choice_compile(mesh, options, out, err);
-    struct leaving leaving = {*mesh, grow_zeroed(mesh->original->face_count, 1),
-                              grow_zeroed(mesh->counts.faces + 1, sizeof *leaving.is_out)};
+    struct leaving leaving = {.mesh = *mesh,
+                              .faults = grow_zeroed(mesh->original->face_count, 1),
+                              .is_out = grow_zeroed(mesh->counts.faces + 1, sizeof *leaving.is_out)};
     leaving.mesh.polygons = grow_zeroed(mesh->polygon_count, sizeof *mesh->polygons);
     memcpy(leaving.mesh.polygons, mesh->polygons, mesh->polygon_count * sizeof *mesh->polygons);
     const bool ok = compile_kept(&leaving, options, out, err);
+    out->report.is_refused = !ok && leaving.is_refused;
     free(leaving.mesh.polygons);
     free(leaving.faults);
     free(leaving.is_out);
@@ -419,29 +511,9 @@ void faithful_note(const struct compiled *scene)
     if (scene->report.left_out)
         notice("--drop-small left out %zu of %zu faces, too small for the grid", scene->report.left_out,
                scene->report.mesh.faces);
-}
-
-/* Which grid -------------------------------------------------------------------------------- */
-
-static bool clean_long(const struct model *model, double near_m, struct mesh *mesh, struct error *err)
-{
-    struct grid grid;
-    return grid_choose_long(model, near_m, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
-}
-
-bool faithful_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
-                    struct error *err)
-{
-    enum coordinates coordinates;
-    if (!compile_options_coordinates(options, &coordinates, err)) return false;
-    if (coordinates == COORDINATES_32) return clean_long(model, options->near_m, mesh, err);
-    struct error refused = {0};
-    const bool ok = mesh_clean(model, mesh, &refused);
-    if (coordinates == COORDINATES_16) {
-        if (!ok) *err = refused;
-        return ok;
-    }
-    if (ok && !faithful_wants_finer(mesh, options)) return true;
-    if (ok) mesh_free(mesh);
-    return clean_long(model, options->near_m, mesh, err);
+    if (scene->report.covered)
+        notice(
+            "%zu faces are covered, in part or whole, by later faces of the file in the same plane: the later one is "
+            "drawn over the earlier; move them apart for another order",
+            scene->report.covered);
 }

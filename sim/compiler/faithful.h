@@ -24,24 +24,17 @@ struct original;
  * renderer cannot have its near plane so near; if nobody chose one (options.near_m). */
 enum faithful_fault { FAITHFUL_KEPT, FAITHFUL_CUT, FAITHFUL_MOVED, FAITHFUL_VANISHED };
 
-/* For each face of the original what became of it; the caller's to free. `scene`: NULL, rounding alone is judged, of
- * what options->core rounds to. */
-uint8_t *faithful_judge(const struct mesh *mesh, const struct compile_options *options, const struct compiled *scene);
-
-/* Whether rounding alone breaks the promise of any face. A mesh that knows no original is not judged. */
+/* Whether the grid alone breaks the promise of any face: by rounding, or by how far it has the near plane. A mesh that
+ * knows no original is not judged. */
 bool faithful_wants_finer(const struct mesh *mesh, const struct compile_options *options);
 
 /* tree_choice_compile(), and then: refuses, with faces and sizes named, a scene that does not keep the promise; or,
  * with options->drop_small, leaves those faces out, and what small faces they are joined to, and says so in
- * report.left_out. A mesh that knows no original is not judged. */
+ * report.left_out. A mesh that knows no original is not judged. Of a scene that is refused report.is_refused is set. */
 bool faithful_compile(const struct mesh *mesh, const struct compile_options *options, struct compiled *out,
                       struct error *err);
 
-/* Says on standard error what --drop-small left out of a scene, if anything. */
+/* Says on standard error what --drop-small left out of a scene, and what faces in one plane cover, if anything. */
 void faithful_note(const struct compiled *scene);
-
-/* mesh_clean() on the grid that the options ask for; or on that of 16 bits, unless the model wants 32. */
-bool faithful_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,
-                    struct error *err);
 
 #endif

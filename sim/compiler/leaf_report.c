@@ -3,6 +3,8 @@
  * What was weighed, and what came of it, in one line. */
 #include "compiler/leaf_report.h"
 
+#include "base/printable.h"
+
 #include <math.h>
 #include <stdio.h>
 
@@ -19,7 +21,7 @@ void leaf_report_print(const struct leaf_report *leaves, const char *object)
 {
     if (!leaves->count && !leaves->tried) return;
     if (object)
-        printf("  mesh leaf of '%s', not exact: ", object);
+        printable_print(stdout, "  mesh leaf of '%s', not exact: ", object);
     else
         printf("  mesh leaves, not exact: ");
     if (leaves->count)

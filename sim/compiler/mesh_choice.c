@@ -6,6 +6,7 @@
 #include "compiler/mesh_choice.h"
 
 #include "accuracy/predict.h"
+#include "accuracy/promise.h"
 #include "base/deadline.h"
 #include "compiler/compile_mesh.h"
 #include "compiler/order_choice.h"
@@ -21,19 +22,6 @@ static const double ENOUGH = 0.95;     /* of the instructions of the tree, or of
 static const double NO_WRONGER = 1.25; /* times the tree's wrong pixels, where it has more than promised itself */
 static const double DEEPER_SHARE = 0.2;
 enum { DEEPER = 2 }; /* times: wrong orders are looked for in a sample of views */
-
-/* Wrong pixels in percent that profiles promise: sim/README.md. Draft promises none: it is held against the tree. */
-double mesh_choice_promised_percent(const struct core *core)
-{
-    switch (core ? core->profile : LIM_PROFILE_FAST) {
-    case LIM_PROFILE_FAST:
-        return 0.05;
-    case LIM_PROFILE_FINE:
-        return 0.03;
-    default:
-        return 0.0;
-    }
-}
 
 static bool has_sky(const struct lim_scene *scene)
 {
@@ -134,8 +122,7 @@ static void take(struct compiled *scene, struct compiled *candidate, struct mesh
 /* A scene that even the tree draws with more wrong pixels than promised is not drawn as right by anything. */
 double mesh_choice_bound_percent(const struct compile_options *options, double tree_percent)
 {
-    const double promised =
-        options->wrong_percent > 0 ? options->wrong_percent : mesh_choice_promised_percent(options->core);
+    const double promised = options->wrong_percent > 0 ? options->wrong_percent : promise_wrong_percent(options->core);
     return fmax(promised, NO_WRONGER * tree_percent);
 }
 

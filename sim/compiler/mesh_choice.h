@@ -17,9 +17,6 @@ struct mesh_trials {
     struct compiled by_distance, by_depth; /* without polygons: it is out */
 };
 
-/* Percent of wrong pixels that a profile promises; 0: none. NULL: fast. */
-double mesh_choice_promised_percent(const struct core *core);
-
 /* The most that a scene may have wrong in place of one that has tree_percent wrong: what its options or its profile
  * promise, or a little more than that one. */
 double mesh_choice_bound_percent(const struct compile_options *options, double tree_percent);

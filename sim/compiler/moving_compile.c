@@ -5,6 +5,7 @@
 
 #include "accuracy/moving_reference.h"
 #include "accuracy/predict.h"
+#include "accuracy/promise.h"
 #include "base/choice.h"
 #include "base/grow.h"
 #include "cameras/camera_path.h"
@@ -189,6 +190,7 @@ static struct note *add_note(struct compile_report *report)
     return &report->notes[report->note_count++];
 }
 
+/* What of an object is not seen as its file has it. */
 static void note_left_out(const struct moving_object *object, struct compile_report *report)
 {
     const struct compile_report *own = &object->scene.report;
@@ -196,6 +198,10 @@ static void note_left_out(const struct moving_object *object, struct compile_rep
         snprintf(add_note(report)->text, sizeof report->notes->text,
                  "object '%s': --drop-small left out %zu of %zu faces, too small for the grid", object->name,
                  own->left_out, own->mesh.faces);
+    if (own->covered)
+        snprintf(add_note(report)->text, sizeof report->notes->text,
+                 "object '%s': %zu faces are covered by later faces of the file in the same plane", object->name,
+                 own->covered);
 }
 
 /* What moves has the mean colours of its pictures: it is lit in each frame, or there are too many. */
@@ -267,7 +273,8 @@ static bool predict_parts(struct moving *moving, const struct core *core, struct
     scene->moving = moving;
     const bool ok = moving_groups(moving, &groups, err) &&
                     moving_reference(moving, &reference, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
-                    predict_wrong(scene, core, &reference, groups, &scene->report.wrong, err);
+                    predict_wrong(scene, core, &reference, groups, moving->model.face_count, &scene->report.wrong, err);
+    if (ok) promise_note(scene);
     scene->moving = NULL; /* the caller's */
     reference_free(&reference);
     free(groups);
@@ -344,7 +351,7 @@ bool moving_compile(const char *path, const struct compile_options *options, con
     *moving = (struct moving){0};
     motions_leave_out(movers->mode == MOVING_OFF);
     if (!model_read(path, &options->orientation, &model, err)) return false;
-    if (options->predict && !source_take(path, &model, err)) {
+    if (!compile_source(path, &model, options, err)) {
         model_free(&model);
         return false;
     }

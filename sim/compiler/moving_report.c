@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What a scene's moving objects cost, as a table. */
+#include "base/printable.h"
 #include "compiler/leaf_report.h"
 #include "compiler/moving_compile.h"
 #include "scene/mcu_mem.h"
@@ -19,8 +20,8 @@ static size_t object_flash_b(const struct moving_object *object)
 static void print_object(const struct moving_object *object)
 {
     const struct lim_scene *scene = &object->scene.scene;
-    printf("  %-28s %8u %8u %8u %8zu\n", object->name, (unsigned)scene->polygon_count, (unsigned)scene->node_count,
-           (unsigned)object->motion.count, object_flash_b(object));
+    printable_print(stdout, "  %-28s %8u %8u %8u %8zu\n", object->name, (unsigned)scene->polygon_count,
+                    (unsigned)scene->node_count, (unsigned)object->motion.count, object_flash_b(object));
 }
 
 size_t moving_flash_b(const struct moving *moving)
@@ -52,5 +53,7 @@ void moving_report_print(const struct moving *moving, const struct compiled *sce
     printf("  %-28s %8zu beside the scene's\n", "working memory, bytes", mcu_movers_mem_b(scene, moving));
     for (size_t i = 0; i < moving->count; i++)
         leaf_report_print(&moving->objects[i].scene.report.leaf_parts, moving->objects[i].name);
-    if (name) printf("  note: %s.lim holds what stands still alone: `limner render` shows no objects of it\n", name);
+    if (name)
+        printable_print(stdout,
+                        "  note: %s.lim holds what stands still alone: `limner render` shows no objects of it\n", name);
 }

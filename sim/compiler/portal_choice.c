@@ -9,8 +9,8 @@
 #include "base/deadline.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
-#include "compiler/pvs.h"
 #include "core/core.h"
+#include "portals/pvs.h"
 #include "render/frame_cost.h"
 #include "render/simulator.h"
 #include "scene/lim_image.h"
@@ -25,17 +25,6 @@ enum { LOOK_UP_INSTRUCTIONS = 2700 }; /* a frame, on a Cortex-M0+ (firmware/DESI
  * precisely than it was compiled for. */
 static const double LEAST_ANGLE_RAD = 1.0 / 128.0;
 static const double VERTEX_ERROR_PX = 4.0; /* in sub-pixels: rounding, and what the matrix errs; in draft, pixels */
-
-bool portals_parse(const char *text, enum portals_wanted *out, struct error *err)
-{
-    static const char *const names[] = {[PORTALS_OFF] = "off", [PORTALS_AUTO] = "auto", [PORTALS_ON] = "on"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(text, names[i]) != 0) continue;
-        *out = (enum portals_wanted)i;
-        return true;
-    }
-    return error_set(err, "--portals %s: there are on, off and auto", text);
-}
 
 static double angle_of(const struct compiled *scene, const struct compile_options *options)
 {

@@ -7,9 +7,6 @@
 #include "compiler/compile_options.h"
 #include "scene/compiled.h"
 
-/* off, auto or on; anything else is refused. */
-bool portals_parse(const char *text, enum portals_wanted *out, struct error *err);
-
 /* Adds places and visible sets to a compiled scene: if they are wanted, or, automatically, if they pay. Draws sampled
  * cameras with and without; where a picture differs, the scene goes without, and it is an error if they are wanted.
  * What was found is in scene->report.portals. */

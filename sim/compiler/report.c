@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What compiling made of a model, as a table. */
+#include "base/printable.h"
 #include "compiler/compile.h"
 #include "compiler/leaf_report.h"
 #include "core/core.h"
@@ -148,6 +149,7 @@ static void print_tree(const struct compiled *scene)
     print_count("polygons before splitting", report->polygons_in);
     if (report->tree != TREE_MESH) print_count("splits", report->splits);
     if (report->left_out) print_count("left out, too small", report->left_out);
+    if (report->covered) print_count("covered by a later, coplanar", report->covered);
     if (report->collapsed) print_count("pieces rounded to nothing", report->collapsed);
     print_count("polygons in the scene", report->polygons_out);
     print_transparent(scene);
@@ -182,7 +184,8 @@ static void print_tree(const struct compiled *scene)
     if (compile_report_has_cost(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
     if (report->path.count)
-        printf("  %-28s %8zu of %s: chosen for these\n", "cameras", report->path.count, report->path.name);
+        printable_print(stdout, "  %-28s %8zu of %s: chosen for these\n", "cameras", report->path.count,
+                        report->path.name);
     if (compile_report_has_cost(report)) print_order(scene);
     print_mesh_choice(scene);
     leaf_report_print(&report->leaf_parts, NULL);
@@ -198,13 +201,13 @@ static void print_tree(const struct compiled *scene)
 static void print_notes(const struct compile_report *report)
 {
     for (size_t i = 0; i < report->note_count; i++)
-        printf("  note: %s\n", report->notes[i].text);
+        printable_print(stdout, "  note: %s\n", report->notes[i].text);
 }
 
 /* Bytes against polygons: what the compiler decided by. */
 static void print_portals(const struct portal_report *portals)
 {
-    if (portals->refused[0]) printf("portals: %s\n", portals->refused);
+    if (portals->refused[0]) printable_print(stdout, "portals: %s\n", portals->refused);
     if (!portals->tried) return;
     printf("%-30s %8s\n", "portals",
            portals->kept        ? "kept"
@@ -263,7 +266,7 @@ static void print_ram(const struct compiled *scene)
 
 void compile_report_print(const struct compiled *scene, const char *name)
 {
-    printf("%s\n", name);
+    printable_print(stdout, "%s\n", name);
     print_mended(&scene->report.mesh);
     print_notes(&scene->report);
     print_tree(scene);

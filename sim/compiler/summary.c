@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What compiling made of a model, in the few lines that everybody wants; report.c has the rest. */
+#include "base/printable.h"
 #include "compiler/compile.h"
-#include "compiler/mesh_choice.h"
 #include "compiler/moving_compile.h"
 #include "core/core.h"
 #include "scene/mcu_mem.h"
@@ -59,21 +59,16 @@ static void print_predictions(const struct compile_report *report)
         printf("  %-14s not predicted for such frames; limner measure counts them\n", "instructions");
 }
 
-/* One line where the picture is not what the words "drawn" and "precision" make one expect. */
+/* Of more wrong pixels than the profile promises a notice tells. */
 static void print_reservation(const struct compile_report *report)
 {
-    const double promised_percent = mesh_choice_promised_percent(report->core);
-    const bool is_beyond = promised_percent > 0 && report->wrong.percent > promised_percent;
-    if (is_beyond)
-        printf("  %-14s more wrong pixels than %s is meant to have, %.2f %%; limner measure tells each precision's\n",
-               "note", profile_name(report), promised_percent);
-    else if (!method_is_exact(report->draws))
+    if (!method_is_exact(report->draws))
         printf("  %-14s the order of faces is approximate; --method nearest keeps it exact, at another cost\n", "note");
 }
 
 void compile_summary_print(const struct compiled *scene, const struct moving *moving, const char *name)
 {
-    printf("%s\n", name);
+    printable_print(stdout, "%s\n", name);
     print_model(&scene->report, moving);
     print_drawn(&scene->report);
     print_memory(scene, moving);

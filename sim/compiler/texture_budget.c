@@ -4,10 +4,13 @@
 #include "compiler/texture_budget.h"
 
 #include "base/grow.h"
+#include "base/names.h"
 #include "base/parse.h"
 #include "base/rgb565.h"
+#include "base/rgb888.h"
 #include "cameras/random_path.h"
 #include "compiler/compile_mesh.h"
+#include "compiler/coordinates.h"
 #include "compiler/faithful.h"
 #include "compiler/texture_plan.h"
 #include "scene.h"
@@ -104,14 +107,6 @@ static size_t flat_colours_b(const struct mesh *mesh, const struct model *model,
 
 /* What is done ---------------------------------------------------------------------------------- */
 
-static uint32_t times(uint32_t colour, uint32_t light)
-{
-    uint32_t out = 0;
-    for (int shift = 16; shift >= 0; shift -= 8)
-        out |= ((colour >> shift & 0xFF) * (light >> shift & 0xFF) + 127) / 255 << shift;
-    return out;
-}
-
 static void change_faces(struct model *model, const struct mesh *mesh, const struct texture_step *steps)
 {
     for (size_t i = 0; i < model->face_count; i++) {
@@ -119,7 +114,7 @@ static void change_faces(struct model *model, const struct mesh *mesh, const str
         if (!face->picture) continue;
         const uint32_t texture = face->picture - 1;
         if (!mesh->textures[texture].texel_count) continue;
-        if (steps[texture].is_flat) face->colour = times(mesh->textures[texture].mean, face->colour);
+        if (steps[texture].is_flat) face->colour = rgb888_times(mesh->textures[texture].mean, face->colour);
         face->picture = steps[texture].is_flat ? 0 : steps[texture].shows + 1;
         if (face->picture == texture + 1) continue;
         model->pictures[texture].faces--;
@@ -141,8 +136,8 @@ static void note_picture(struct model *model, const struct mesh *mesh, uint32_t 
     if (step->is_flat)
         snprintf(picture->became, (size_t)size, "its mean colour, off by %.1f of 255", step->rms);
     else if (step->shows != number)
-        snprintf(picture->became, (size_t)size, "%.48s, %ux%u, off by %.1f of 255", model->pictures[step->shows].name,
-                 w_px, h_px, step->rms);
+        snprintf(picture->became, (size_t)size, "%s, %ux%u, off by %.1f of 255",
+                 name_end(model->pictures[step->shows].name).text, w_px, h_px, step->rms);
     else if (step->cut)
         snprintf(picture->became, (size_t)size, "%ux%u, off by %.1f of 255", w_px, h_px, step->rms);
 }
@@ -196,7 +191,7 @@ bool texture_budget_apply(struct model *model, const struct compile_options *opt
 {
     struct mesh mesh;
     if (!has_budget || !model->picture_count) return true;
-    if (!faithful_clean(model, options, &mesh, err)) return false;
+    if (!coordinates_clean(model, options, &mesh, err)) return false;
     const bool ok = mesh_textures_enlarge(model, &mesh, err) && plan_and_apply(model, &mesh, options, err);
     mesh_free(&mesh);
     return ok;

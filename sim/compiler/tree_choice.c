@@ -104,8 +104,9 @@ bool tree_choice_compile(const struct mesh *mesh, const struct compile_options *
 {
     struct compilation work;
     *out = (struct compiled){0};
-    const bool ok = compilation_begin(&work, mesh, options, err) && compilation_tree(&work, options->tree, out, err);
+    bool ok = compilation_begin(&work, mesh, options, err) && compilation_tree(&work, options->tree, out, err);
     if (ok) choose_tree(&work, out);
+    ok = ok && compilation_portals(&work, out, err);
     compilation_end(&work);
     if (ok && options->framebuffer) order_settle_framebuffer(&out->report);
     return ok;

@@ -5,6 +5,7 @@
 
 #include "base/c_field.h"
 #include "base/choice.h"
+#include "linux/code_words.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -348,5 +349,5 @@ bool display_setup(struct display *display, const struct panel_choice *choice, c
     }
     const char *missing = code == PANEL_ERR_CONFIG ? missing_pin(choice, &upright, port) : NULL;
     if (missing) return error_set(err, "--panel %s: needs a pin, %s LINE", choice->name, missing);
-    return code == 0 || error_set(err, "--panel %s: its driver refuses these pins (%d)", choice->name, code);
+    return code == 0 || error_set(err, "--panel %s: %s (%d)", choice->name, code_words(code), code);
 }

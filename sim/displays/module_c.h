@@ -5,8 +5,8 @@
 #ifndef SIM_MODULE_C_H
 #define SIM_MODULE_C_H
 
-#include "base/outputs.h"
 #include "displays/module_choice.h"
+#include "outputs/outputs.h"
 
 #include <stdio.h>
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "displays/player.h"
 
+#include "base/notice.h"
 #include "base/progress.h"
+#include "linux/code_words.h"
 #include "linux/interrupt.h"
 
 #include <errno.h>
@@ -77,7 +79,7 @@ void player_print(const struct player *player)
 static bool explain(const struct player *player, const char *what, int code, struct error *err)
 {
     if (player->port->error[0]) return error_set(err, "%s: %s", what, player->port->error);
-    return error_set(err, "%s: the panel's driver failed with %d", what, code);
+    return error_set(err, "%s: %s (%d)", what, code_words(code), code);
 }
 
 /* Frames ---------------------------------------------------------------------------------------- */
@@ -143,6 +145,16 @@ static bool play_frames(struct player *player, struct error *err)
     return ok || error_set(err, "%s; given up after %u failures in a row", last.text, player->in_a_row);
 }
 
+/* A memory LCD without its DISP line cannot be switched off, which is no failure. */
+static int darken(const struct player *player)
+{
+    player->port->error[0] = '\0';
+    const int code = panel_darken(player->panel);
+    if (code != PANEL_ERR_UNSUPPORTED) return code;
+    notice("the display keeps showing its last picture: its pin DISP is not wired; --backlight LINE names its line");
+    return 0;
+}
+
 bool player_run(struct player *player, struct error *err)
 {
     interrupt_watch();
@@ -151,7 +163,6 @@ bool player_run(struct player *player, struct error *err)
     if (code) return explain(player, "the panel cannot be set up", code, err);
     player->began_s = now_s();
     const bool ok = play_frames(player, err);
-    player->port->error[0] = '\0';
-    code = panel_darken(player->panel);
+    code = darken(player);
     return ok && (code == 0 || explain(player, "the panel cannot be switched off", code, err));
 }

@@ -5,6 +5,7 @@
 #include "export/export.h"
 
 #include "agree.h"
+#include "base/printable.h"
 #include "export/amalgam.h"
 #include "export/display_c.h"
 #include "export/embedded.h"
@@ -297,11 +298,12 @@ void export_report(const struct export_plan *plan)
 {
     const struct world *world = plan->world;
     const struct export_cost cost = export_cost(plan);
-    printf("%s: %zu bytes of scene data, %zu of RAM without the stack; the renderer's code comes on top\n",
-           plan->folder, cost.data_b, cost.ram_b);
+    printable_print(stdout,
+                    "%s: %zu bytes of scene data, %zu of RAM without the stack; the renderer's code comes on top\n",
+                    plan->folder, cost.data_b, cost.ram_b);
     if (!world->smallest || (cost.data_b + LEAST_CODE_B <= world->flash_b && export_has_room(plan, cost.least_ram_b)))
         return;
-    fprintf(
+    printable_print(
         stderr,
         "limner: note: %s is too large for %s, which other boards are not: at least %zu of %lu bytes of flash, %zu of "
         "%lu of RAM\n",

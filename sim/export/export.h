@@ -5,8 +5,8 @@
 #ifndef SIM_EXPORT_H
 #define SIM_EXPORT_H
 
-#include "base/outputs.h"
 #include "export/export_plan.h"
+#include "outputs/outputs.h"
 
 bool export_put(const struct export_plan *plan, struct outputs *outputs, struct error *err);
 

@@ -5,7 +5,7 @@
 #ifndef SIM_EXPORT_FOLDER_H
 #define SIM_EXPORT_FOLDER_H
 
-#include "base/outputs.h"
+#include "outputs/outputs.h"
 
 struct export_folder {
     const char *path;

@@ -6,6 +6,7 @@
 #define SIM_COMPANION_H
 
 #include "base/input_file.h"
+#include "model/model.h"
 
 /* --trust-paths: `..`, absolute paths and links that lead elsewhere are followed. For all of the process. */
 void companions_trust(void);
@@ -25,11 +26,21 @@ bool companions_refused(struct error *err);
 void companions_refuse(const struct error *err);
 
 /* Opens what the model calls `name`, as input_open() does: relative to its folder; \ divides as / does, and %20 is a
- * blank unless a file is called so; // in front means the folder. NULL on error, with errno, and if
- * it is refused. */
+ * blank unless a file is called so; // in front means the folder. What is not there is looked for by a name that
+ * differs in capitals, and by its own name beside the model. NULL on error, with errno, and if it is refused. */
 FILE *companion_open(const char *name, size_t most_b, size_t *size_b, struct error *err);
 
-/* The same for a path that a library has made of the model's folder and a name; the model's own is opened as it is. */
+/* Whether companion_open() would find something by this very name; nothing is said of it. */
+bool companion_is_there(const char *name);
+
+/* Notes what the model calls `name` though it is not opened, if it lies where it may (inputs.h). */
+void companion_note(const char *name);
+
+/* The same as companion_open() for a path that a library has made of the model's folder and a name; the model's own is
+ * opened as it is. */
 FILE *companion_open_path(const char *path, size_t most_b, size_t *size_b, struct error *err);
+
+/* Notes which files were read that are not where, or not called as, the model says. */
+void companions_tell(struct model *to);
 
 #endif

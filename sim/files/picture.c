@@ -3,6 +3,7 @@
  * Transparent parts have whatever colour the file gives to them, and how opaque they are is known. */
 #include "files/picture.h"
 
+#include "base/names.h"
 #include "files/companion.h"
 #include "pictures/picture_size.h"
 
@@ -47,21 +48,41 @@ static gdImagePtr read_jpeg(int size_b, void *bytes)
 typedef gdImagePtr read_picture(int size_b, void *bytes);
 
 static const struct {
+    size_t at_b; /* where the magic is */
     const char *magic;
     read_picture *read;
-} FORMATS[] = {{"\x89PNG", gdImageCreateFromPngPtr},
-               {"\xFF\xD8\xFF", read_jpeg},
-               {"GIF8", gdImageCreateFromGifPtr},
-               {"BM", gdImageCreateFromBmpPtr}};
+} FORMATS[] = {{0, "\x89PNG", gdImageCreateFromPngPtr},  {0, "\xFF\xD8\xFF", read_jpeg},
+               {0, "GIF8", gdImageCreateFromGifPtr},     {0, "BM", gdImageCreateFromBmpPtr},
+               {8, "WEBPVP8", gdImageCreateFromWebpPtr}, {4, "ftypavif", gdImageCreateFromAvifPtr}};
+
+/* Known, but not read. */
+static const struct {
+    const char *magic, *reason;
+} FOREIGN[] = {{"\xABKTX", "a KTX texture, which is not read; save it as PNG"},
+               {"DDS ", "a DDS texture, which is not read; save it as PNG"},
+               {"II*", "a TIFF, which is not read; save it as PNG"},
+               {"MM", "a TIFF, which is not read; save it as PNG"}};
+
+static bool has_magic(const void *bytes, size_t size_b, size_t at_b, const char *magic)
+{
+    const size_t magic_b = strlen(magic);
+    return size_b >= at_b + magic_b && memcmp((const char *)bytes + at_b, magic, magic_b) == 0;
+}
 
 /* NULL: of no format that is known. */
 static read_picture *reader_of(const void *bytes, size_t size_b)
 {
-    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++) {
-        const size_t magic_b = strlen(FORMATS[i].magic);
-        if (size_b >= magic_b && memcmp(bytes, FORMATS[i].magic, magic_b) == 0) return FORMATS[i].read;
-    }
+    for (size_t i = 0; i < sizeof FORMATS / sizeof *FORMATS; i++)
+        if (has_magic(bytes, size_b, FORMATS[i].at_b, FORMATS[i].magic)) return FORMATS[i].read;
     return picture_is_tga(bytes, size_b) ? gdImageCreateFromTgaPtr : NULL;
+}
+
+static const char *reason_against(const void *bytes, size_t size_b)
+{
+    if (size_b == 0) return "the file is empty";
+    for (size_t i = 0; i < sizeof FOREIGN / sizeof *FOREIGN; i++)
+        if (has_magic(bytes, size_b, 0, FOREIGN[i].magic)) return FOREIGN[i].reason;
+    return "neither PNG nor JPEG, WebP, AVIF, GIF, BMP or TGA";
 }
 
 static void refuse(struct picture *picture, const char *reason)
@@ -73,7 +94,7 @@ static void refuse(struct picture *picture, const char *reason)
 static void refuse_import(struct picture *picture, const char *reason)
 {
     struct error err;
-    error_set(&err, "texture %s: %s", picture->name, reason);
+    error_set(&err, "texture %s: %s", name_end(picture->name).text, reason);
     companions_refuse(&err);
     refuse(picture, "refused");
 }
@@ -139,9 +160,9 @@ static void take(struct picture *picture, gdImagePtr image)
 static void read_bytes(struct picture *picture, void *bytes, size_t size_b)
 {
     read_picture *const read = reader_of(bytes, size_b);
-    char reason[TEXTURE_NAME_B];
+    char reason[PICTURE_WORDS_B];
     if (!read) {
-        refuse(picture, size_b ? "neither PNG nor JPEG, GIF, BMP or TGA" : "the file is empty");
+        refuse(picture, reason_against(bytes, size_b));
         return;
     }
     if (!picture_size_check(bytes, size_b, reason, sizeof reason)) {
@@ -298,6 +319,25 @@ void picture_read(const struct aiScene *scene, const char *name, struct picture 
         read_file(out, name);
 }
 
+static void note_pictures_of(const struct aiMaterial *material)
+{
+    struct aiString name;
+    for (unsigned i = 0; i < material->mNumProperties; i++) {
+        const struct aiMaterialProperty *property = material->mProperties[i];
+        if (strcmp(property->mKey.data, _AI_MATKEY_TEXTURE_BASE) != 0) continue;
+        if (aiGetMaterialString(material, _AI_MATKEY_TEXTURE_BASE, property->mSemantic, property->mIndex, &name) ==
+                aiReturn_SUCCESS &&
+            name.length > 0 && name.data[0] != '*')
+            companion_note(name.data);
+    }
+}
+
+void pictures_note(const struct aiScene *scene)
+{
+    for (unsigned i = 0; i < scene->mNumMaterials; i++)
+        note_pictures_of(scene->mMaterials[i]);
+}
+
 void picture_free(struct picture *picture)
 {
     free(picture->pixels);
@@ -313,15 +353,34 @@ bool picture_mask_of(const struct aiMaterial *material, struct aiString *name)
            name->length > 0;
 }
 
-bool picture_name_of(const struct aiMaterial *material, struct aiString *name, unsigned *uv_set)
+/* "Decal" is clear beyond the borders, which no format that is read here says of a colour. */
+static uint8_t wrap_of(enum aiTextureMapMode mode)
 {
-    static const enum aiTextureType types[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
-    for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
-        *uv_set = 0;
-        if (aiGetMaterialTexture(material, types[i], 0, name, NULL, uv_set, NULL, NULL, NULL, NULL) ==
-                aiReturn_SUCCESS &&
-            name->length > 0)
-            return true;
-    }
-    return false;
+    return mode == aiTextureMapMode_Mirror                                    ? PICTURE_MIRRORS
+           : mode == aiTextureMapMode_Clamp || mode == aiTextureMapMode_Decal ? PICTURE_CLAMPS
+                                                                              : PICTURE_REPEATS;
+}
+
+static bool picture_of_type(const struct aiMaterial *material, enum aiTextureType type, struct picture_use *use)
+{
+    enum aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+    *use = (struct picture_use){.uv_set = 0};
+    if (aiGetMaterialTexture(material, type, 0, &use->name, NULL, &use->uv_set, NULL, NULL, modes, NULL) !=
+        aiReturn_SUCCESS)
+        return false;
+    for (int i = 0; i < 2; i++)
+        use->wrap[i] = wrap_of(modes[i]);
+    return use->name.length > 0;
+}
+
+bool picture_of_light(const struct aiMaterial *material, struct picture_use *use)
+{
+    return picture_of_type(material, aiTextureType_EMISSIVE, use) ||
+           picture_of_type(material, aiTextureType_EMISSION_COLOR, use);
+}
+
+bool picture_of_colour(const struct aiMaterial *material, struct picture_use *use)
+{
+    return picture_of_type(material, aiTextureType_BASE_COLOR, use) ||
+           picture_of_type(material, aiTextureType_DIFFUSE, use);
 }

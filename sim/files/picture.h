@@ -9,13 +9,16 @@
 
 #include <assimp/scene.h>
 
-/* PNG, JPEG, GIF, BMP or TGA of 24 or 32 bits, as the bytes themselves say. What cannot be read has a reason and no
- * pixels; what may not be read ends the import (companion.h). */
+/* PNG, JPEG, WebP, AVIF, GIF, BMP or TGA of 24 or 32 bits, as the bytes themselves say. What cannot be read has a
+ * reason and no pixels; what may not be read ends the import (companion.h). */
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out);
 
 /* The same of a file beside the model, and of a file's bytes. */
 void picture_read_file(const char *name, struct picture *out);
 void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct picture *out);
+/* Notes the files of all pictures that the materials name, of kinds that are not drawn and left out ones as well:
+ * they are the model's, and no output takes their place (companion_note()). */
+void pictures_note(const struct aiScene *scene);
 
 /* --no-textures: none is read, for all of the process; faces have the colours of their materials. */
 void pictures_leave_out(void);
@@ -30,8 +33,18 @@ bool picture_copy_as_sky(const struct picture *from, struct picture *out);
 
 void picture_free(struct picture *picture);
 
-/* The texture of a material's colour, and which set of coordinates goes with it. false: it has none. */
-bool picture_name_of(const struct aiMaterial *material, struct aiString *name, unsigned *uv_set);
+/* How a material shows a texture: which set of coordinates goes with it, and what is seen beyond its borders. */
+struct picture_use {
+    struct aiString name;
+    unsigned uv_set;
+    uint8_t wrap[2]; /* enum picture_wrap, across and down */
+};
+
+/* The texture of a material's colour. false: it has none. */
+bool picture_of_colour(const struct aiMaterial *material, struct picture_use *use);
+
+/* The same of what it emits. */
+bool picture_of_light(const struct aiMaterial *material, struct picture_use *use);
 
 /* The texture of its opacity alone: map_d of MTL. false: it has none. */
 bool picture_mask_of(const struct aiMaterial *material, struct aiString *name);

@@ -65,6 +65,16 @@ size_t text_words_left(const struct text *text)
     return count;
 }
 
+void text_rest(const struct text *text, struct word *rest)
+{
+    const char *first = next_place(text), *end = text->line_end;
+    while (end < text->end && !is_line_end(*end))
+        end++;
+    while (end > first && is_blank(end[-1]))
+        end--;
+    *rest = (struct word){first, (size_t)(end - first)};
+}
+
 bool text_any_word(struct text *text, struct word *word)
 {
     while (!text_word(text, word))

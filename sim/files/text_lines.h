@@ -25,6 +25,9 @@ bool text_next_line(struct text *text);
 bool text_word(struct text *text, struct word *word);
 size_t text_words_left(const struct text *text);
 
+/* What is left of the line, as a name: without blanks at its ends; a # belongs to it. */
+void text_rest(const struct text *text, struct word *rest);
+
 /* The next word of the text, on whatever line. false: there is none. */
 bool text_any_word(struct text *text, struct word *word);
 

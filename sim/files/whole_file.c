@@ -18,15 +18,22 @@ static bool read_stream(const char *path, FILE *stream, size_t size_b, struct wh
     return !ferror(stream) || error_set(err, "%s: %s", path, strerror(errno));
 }
 
+bool whole_file_take(const char *name, FILE *stream, size_t size_b, struct whole_file *out, struct error *err)
+{
+    *out = (struct whole_file){0};
+    const bool ok = read_stream(name, stream, size_b, out, err);
+    fclose(stream);
+    if (!ok) whole_file_free(out);
+    return ok;
+}
+
 static bool take(const char *path, FILE *stream, size_t size_b, struct whole_file *out, struct error *err)
 {
     *out = (struct whole_file){0};
     if (!stream) return false;
-    const bool ok =
-        (size_b > 0 || error_set(err, "%s: the file is empty", path)) && read_stream(path, stream, size_b, out, err);
+    if (size_b > 0) return whole_file_take(path, stream, size_b, out, err);
     fclose(stream);
-    if (!ok) whole_file_free(out);
-    return ok;
+    return error_set(err, "%s: the file is empty", path);
 }
 
 bool whole_file_read(const char *path, struct whole_file *out, struct error *err)

@@ -7,6 +7,7 @@
 #include "base/error.h"
 
 #include <stddef.h>
+#include <stdio.h>
 
 enum { MODEL_FILE_MOST_B = 256 << 20 };
 
@@ -18,7 +19,10 @@ struct whole_file {
 /* Refuses what is missing, a folder, empty, a pipe, or larger than 256 MB. An error names the file. */
 bool whole_file_read(const char *path, struct whole_file *out, struct error *err);
 
-/* The same for what a model names, after companions_begin(). */
+/* The same from a stream of so many bytes, which it closes; an error calls it `name`. Nothing is refused. */
+bool whole_file_take(const char *name, FILE *stream, size_t size_b, struct whole_file *out, struct error *err);
+
+/* As whole_file_read() for what a model names, after companions_begin(). */
 bool whole_file_read_companion(const char *name, struct whole_file *out, struct error *err);
 void whole_file_free(struct whole_file *file);
 

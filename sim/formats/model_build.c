@@ -2,8 +2,8 @@
 #include "formats/model_build.h"
 
 #include "base/grow.h"
+#include "base/inputs.h"
 #include "files/companion.h"
-#include "files/inputs.h"
 #include "files/picture.h"
 #include "formats/float_step.h"
 #include "formats/model_limits.h"

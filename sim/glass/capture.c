@@ -4,7 +4,9 @@
  * frames end. */
 #include "glass/capture.h"
 
+#include "base/deadline.h"
 #include "base/parse.h"
+#include "base/printable.h"
 #include "base/progress.h"
 
 #include <inttypes.h>
@@ -162,10 +164,11 @@ static bool start_display(struct capture *capture, struct error *err)
     listener->last_b = listener->display.port->bus_b;
     capture->is_partial = true;
     capture->stores = listener->last_stores = listener->display.port->stores;
-    fprintf(stderr,
-            "limner: %s: --running: the display is taken for one that is set up as the options say (%s, %ux%u, and so "
-            "on); what comes before the first command is left out\n",
-            capture->path, module->panel.name, module->module.w_px, module->module.h_px);
+    printable_print(
+        stderr,
+        "limner: %s: --running: the display is taken for one that is set up as the options say (%s, %ux%u, and so "
+        "on); what comes before the first command is left out\n",
+        capture->path, module->panel.name, module->module.w_px, module->module.h_px);
     return is_quiet(capture, err);
 }
 
@@ -198,6 +201,11 @@ bool capture_levels(struct capture *capture, uint64_t now_ns, struct wire_levels
     err->text[0] = '\0';
     capture->now_ns = now_ns;
     return spi_wires_take(&capture->wires, now_ns, levels, err) || add_hint(capture, err) || prefix_time(capture, err);
+}
+
+bool capture_has_time_left(const struct capture *capture, struct error *err)
+{
+    return deadline_check(err, "%s, after %" PRIu64 " frames", capture->path, (uint64_t)capture->frames);
 }
 
 void capture_tell_progress(struct capture *capture, uint64_t done, uint64_t all)

@@ -61,6 +61,9 @@ bool capture_levels(struct capture *capture, uint64_t now_ns, struct wire_levels
 /* How much of the file was read, for who waits; all == 0: nobody knows. */
 void capture_tell_progress(struct capture *capture, uint64_t done, uint64_t all);
 
+/* Asked now and then by who reads it: false, with an error, once time is over (deadline.h). */
+bool capture_has_time_left(const struct capture *capture, struct error *err);
+
 /* No more follows: the last frame may end. */
 bool capture_end(struct capture *capture, struct error *err);
 

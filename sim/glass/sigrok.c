@@ -54,6 +54,7 @@ static bool reopen(struct sigrok *sigrok, struct error *err)
 static const char *next_entry(struct sigrok *sigrok, struct error *err)
 {
     struct archive_entry *entry;
+    if (!capture_has_time_left(sigrok->capture, err)) return NULL;
     const int code = archive_read_next_header(sigrok->archive, &entry);
     if (code == ARCHIVE_EOF) return NULL;
     const char *name = code == ARCHIVE_OK || code == ARCHIVE_WARN ? archive_entry_pathname(entry) : NULL;
@@ -247,7 +248,8 @@ static bool read_part(struct sigrok *sigrok, struct error *err)
     uint8_t block[BLOCK_B];
     la_ssize_t got_b;
     while ((got_b = archive_read_data(sigrok->archive, block, sizeof block)) > 0)
-        if (!take_block(sigrok, block, (size_t)got_b, err)) return false;
+        if (!capture_has_time_left(sigrok->capture, err) || !take_block(sigrok, block, (size_t)got_b, err))
+            return false;
     return got_b == 0 || refuse(sigrok, err);
 }
 

@@ -5,6 +5,11 @@
  * board's LED, which ends frames, comes behind the clock. */
 #include "glass/spi_wires.h"
 
+#include <stdio.h>
+
+enum { LEVEL_B = 96 };
+static const uint64_t NO_LEVEL_NS = UINT64_MAX; /* no level of the clock has been seen from its begin to its end */
+
 static uint8_t bit_of(enum capture_wire wire)
 {
     return (uint8_t)(1u << wire);
@@ -24,11 +29,14 @@ static bool is_left_out(const struct spi_wires *wires)
 /* A byte that is not whole where one must be. */
 static bool refuse_bits(const struct spi_wires *wires, enum capture_wire wire, struct error *err)
 {
+    char level[LEVEL_B];
     const unsigned long long shortest_ns = wires->shortest_ns;
-    return error_set(err,
-                     "%s changes after %u bits of a byte: edges of sck were missed, or added by noise; its shortest "
-                     "level since the last such change was %llu ns",
-                     capture_wire_names[wire], wires->n_bits, shortest_ns);
+    if (wires->shortest_ns == NO_LEVEL_NS)
+        snprintf(level, sizeof level, "it has had one edge so far");
+    else
+        snprintf(level, sizeof level, "its shortest level since the last such change was %llu ns", shortest_ns);
+    return error_set(err, "%s changes after %u bit%s of a byte: edges of sck were missed, or added by noise; %s",
+                     capture_wire_names[wire], wires->n_bits, wires->n_bits == 1 ? "" : "s", level);
 }
 
 /* Where a wire changes that changes between bytes only. What comes before the first such change may have begun before
@@ -39,7 +47,7 @@ static bool end_byte(struct spi_wires *wires, enum capture_wire wire, struct err
     if (wires->n_bits && !is_first && !is_left_out(wires)) return refuse_bits(wires, wire, err);
     wires->n_bits = 0;
     wires->is_aligned = true;
-    wires->shortest_ns = UINT64_MAX;
+    wires->shortest_ns = NO_LEVEL_NS;
     return true;
 }
 
@@ -137,7 +145,7 @@ bool spi_wires_take(struct spi_wires *wires, uint64_t now_ns, struct wire_levels
     const uint8_t clock = bit_of(CAPTURE_SCK), last = bit_of(CAPTURE_LED);
     const uint8_t others = (uint8_t) ~(bit_of(CAPTURE_MOSI) | clock | last);
     const bool is_first = ends_byte(wires, levels);
-    if (!wires->has_begun) wires->shortest_ns = UINT64_MAX;
+    if (!wires->has_begun) wires->shortest_ns = NO_LEVEL_NS;
     if (!wires->has_begun) wires->byte_ns = now_ns;
     if (is_first && !take_data_and_clock(wires, now_ns, levels, err)) return false;
     if (!take_others(wires, now_ns, levels, others, err)) return false;

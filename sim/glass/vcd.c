@@ -5,6 +5,7 @@
 #include "glass/vcd.h"
 
 #include "base/grow.h"
+#include "base/input_file.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -19,7 +20,8 @@ enum {
     BITS_MAX = 1 << 20,
     PATH_MOST_B = 4096,
     WORDS_MAX = 8,
-    PROGRESS_WORDS = 1 << 16
+    PROGRESS_WORDS = 1 << 16,
+    BYTES_BETWEEN_CHECKS = 1 << 16
 };
 
 struct vcd {
@@ -28,6 +30,7 @@ struct vcd {
     size_t line; /* of the word, from 1 */
     char *word;
     size_t length, capacity;
+    uint64_t read_b;  /* so far, of words and blanks */
     size_t next_line; /* behind the word */
 
     struct channels channels;
@@ -62,16 +65,24 @@ static bool put(struct vcd *vcd, int byte, struct error *err)
     return true;
 }
 
+/* EOF at the end of the file, or of the time, with a text. */
+static int next_byte(struct vcd *vcd, struct error *err)
+{
+    if (vcd->read_b++ % BYTES_BETWEEN_CHECKS == 0 && !capture_has_time_left(vcd->capture, err)) return EOF;
+    return getc_unlocked(vcd->file);
+}
+
 /* false: there is none, and err->text is empty unless that is an error. */
 static bool next_word(struct vcd *vcd, struct error *err)
 {
     int byte;
     vcd->length = 0;
-    while ((byte = getc_unlocked(vcd->file)) != EOF && isspace(byte))
+    while ((byte = next_byte(vcd, err)) != EOF && isspace(byte))
         vcd->next_line += byte == '\n';
     vcd->line = vcd->next_line;
-    for (; byte != EOF && !isspace(byte); byte = getc_unlocked(vcd->file))
+    for (; byte != EOF && !isspace(byte); byte = next_byte(vcd, err))
         if (!put(vcd, byte, err)) return false;
+    if (err->text[0]) return false;
     vcd->next_line += byte == '\n';
     if (ferror(vcd->file)) return error_set(err, "%s: %s", vcd->capture->path, strerror(errno));
     if (vcd->length == 0) return false;
@@ -360,7 +371,7 @@ bool vcd_read(struct capture *capture, FILE *file, struct error *err)
 {
     struct vcd vcd = {.capture = capture, .file = file, .line = 1, .next_line = 1 + capture->lines_before};
     struct stat about;
-    if (fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode)) vcd.all_b = (uint64_t)about.st_size;
+    if (input_is_regular(file) && fstat(fileno(file), &about) == 0) vcd.all_b = (uint64_t)about.st_size;
     const bool ok = read_all(&vcd, err);
     channels_free(&vcd.channels);
     free(vcd.word);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "levels/level_path.h"
 
+#include "base/inputs.h"
+
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -37,12 +39,11 @@ int level_path_stem(const char *path, char *name, size_t size_b)
     return snprintf(name, size_b, "%.*s", dot ? (int)(dot - file) : (int)strlen(file), file);
 }
 
-bool level_path_spare(struct outputs *outputs, const char *path, struct error *err)
+void level_path_note(const char *path)
 {
-    struct level_path level;
+    struct level_path level = {.files = ""};
     char file[WAD_PATH_B];
-    if (!level_path_parse(path, &level)) return outputs_spare(outputs, path, err);
-    for (size_t i = 0; wad_path_at(level.files, i, file); i++)
-        if (!outputs_spare(outputs, file, err)) return false;
-    return true;
+    if (!level_path_parse(path, &level)) inputs_note_name(path);
+    for (size_t i = 0; *level.files && wad_path_at(level.files, i, file); i++)
+        inputs_note_name(file);
 }

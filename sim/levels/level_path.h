@@ -4,7 +4,6 @@
 #ifndef SIM_LEVEL_PATH_H
 #define SIM_LEVEL_PATH_H
 
-#include "base/outputs.h"
 #include "levels/wad.h"
 
 struct level_path {
@@ -19,8 +18,8 @@ bool level_path_parse(const char *path, struct level_path *out);
  * returns how many characters that has. */
 int level_path_stem(const char *path, char *name, size_t size_b);
 
-/* outputs_spare() of all files that a model's path names. */
-bool level_path_spare(struct outputs *outputs, const char *path, struct error *err);
+/* inputs_note_name() of all files that a model's path names. */
+void level_path_note(const char *path);
 
 /* What is behind the WADs of such a path: ":MAP", or nothing; of other paths nothing. */
 const char *level_path_tail(const char *path);

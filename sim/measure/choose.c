@@ -58,8 +58,7 @@ static bool sample_path(struct trial *trial, const struct compiled *scene, struc
     return trial->path.count > 0;
 }
 
-/* All but exact share a scene; exact, the last, is left out if its own takes too long. Those that are refused leave the
- * rows. */
+/* Those whose scenes take too long are left out, and those that are refused leave the rows. */
 static bool compile_rows(struct trial *trial, const struct compile_options *options, struct choice *choice,
                          struct error *err)
 {
@@ -75,7 +74,7 @@ static bool compile_rows(struct trial *trial, const struct compile_options *opti
 static bool prepare(struct trial *trial, const char *model_path, const struct compile_options *options,
                     const struct choice_bound *bound, struct choice *choice, struct error *err)
 {
-    if (!camera_choice_read(&bound->cameras, &trial->path, err)) return false;
+    if (!compile_options_cameras(options, &bound->cameras, &trial->path, err)) return false;
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
     if (!compile_rows(trial, options, choice, err)) return false;
     const struct compiled *scene = trial->candidates[0].scene;

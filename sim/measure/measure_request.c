@@ -5,9 +5,9 @@
 
 #include "base/child.h"
 #include "base/parse.h"
+#include "base/printable.h"
 #include "base/progress.h"
 #include "compiler/compile.h"
-#include "compiler/portal_choice.h"
 #include "core/core.h"
 #include "levels/level_path.h"
 #include "scene/scene_files.h"
@@ -31,14 +31,13 @@ enum option_code {
     OPTION_DELTA,
     OPTION_OVERLAY,
     OPTION_FRAMEBUFFER,
-    OPTION_PORTALS,
     OPTION_FRAMES,
     OPTION_COST_FRAMES,
     OPTION_SEED,
     OPTION_TRIES,
     OPTION_SECONDS,
     OPTION_WORST,
-    OPTION_PATH
+    OPTION_RESULT
 };
 
 enum { COST_FRAMES = 4, FRAMES_MAX = 1000000 };
@@ -60,13 +59,12 @@ static const struct option OPTIONS[] = {
     {"delta", no_argument, NULL, OPTION_DELTA},
     {"overlay", no_argument, NULL, OPTION_OVERLAY},
     {"framebuffer", no_argument, NULL, OPTION_FRAMEBUFFER},
-    {"portals", required_argument, NULL, OPTION_PORTALS},
     {"frames", required_argument, NULL, OPTION_FRAMES},
     {"cost-frames", required_argument, NULL, OPTION_COST_FRAMES},
     {"seed", required_argument, NULL, OPTION_SEED},
     {"tries", required_argument, NULL, OPTION_TRIES},
     {"seconds", required_argument, NULL, OPTION_SECONDS},
-    {"path", required_argument, NULL, OPTION_PATH},
+    {"result", required_argument, NULL, OPTION_RESULT},
     {"worst", optional_argument, NULL, OPTION_WORST},
     {NULL, 0, NULL, 0},
 };
@@ -84,9 +82,10 @@ static bool has_option(enum measure_of of, int code)
     case OPTION_METHOD:
     case COMPILE_TREE:
     case COMPILE_MESH_LEAVES:
-    case OPTION_PORTALS:
+    case COMPILE_PORTALS:
         return of != MEASURE_METHODS;
     case OPTION_SUB_BITS:
+    case OPTION_RESULT:
     case OPTION_OPTIMISE:
         return of == MEASURE_PRECISIONS;
     case OPTION_FRAMES:
@@ -222,8 +221,9 @@ static bool parse_option(int code, char **argv, struct measure_request *out, str
     case 'o':
         out->folder = optarg;
         return *optarg || error_set(err, "-o: needs a %s", is_of_one(out->of) ? "name" : "folder");
-    case OPTION_PATH:
-        return compile_path_parse(optarg, &out->compile, err);
+    case OPTION_RESULT:
+        out->result = optarg;
+        return *optarg || error_set(err, "--result: needs a file");
     case OPTION_WORST:
         return worst_tries_parse(optarg, &out->compile.worst_tries, err);
     case OPTION_SEED:
@@ -242,8 +242,6 @@ static bool parse_option(int code, char **argv, struct measure_request *out, str
         out->optimise = optarg;
         out->is_cost_asked = true;
         return measure_optimise_check(optarg, err);
-    case OPTION_PORTALS:
-        return portals_parse(optarg, &out->compile.portals, err);
     case OPTION_METHOD:
         return compile_method_parse(optarg, &out->compile, err);
     case OPTION_FRAMES:
@@ -266,6 +264,7 @@ static bool take_model(int argc, char **argv, struct measure_request *out, struc
     if (lim_file_is_named(out->model))
         return error_set(err, "%s: accuracy is measured against the model, not against a compiled scene", out->model);
     level_path_stem(out->model, out->name, sizeof out->name);
+    printable(out->name);
     return true;
 }
 
@@ -299,15 +298,14 @@ static void fill_in(enum measure_of of, bool no_cost, struct measure_request *ou
 bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err)
 {
     bool no_cost = false;
-    *out = (struct measure_request){
-        .of = of,
-        .worst = {.seconds = -1.0},
-        .w_px = 240,
-        .h_px = 240,
-        .compile = {.tolerance_units = 0.5, .splitter = "auto", .trial = TRIAL_IF_SPLIT, .choose_order = true},
-        .frames = FRAMES_MAX,
-        .cost_frames = COST_FRAMES};
-    if (is_of_one(of)) out->compile.portals = PORTALS_AUTO;
+    *out = (struct measure_request){.of = of,
+                                    .worst = {.seconds = -1.0},
+                                    .w_px = 240,
+                                    .h_px = 240,
+                                    .compile = compile_options_usual(),
+                                    .frames = FRAMES_MAX,
+                                    .cost_frames = COST_FRAMES};
+    if (of == MEASURE_METHODS) out->compile.portals = PORTALS_OFF; /* one of the methods has them */
     opterr = 0;
     optind = 1;
     for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;) {
@@ -329,10 +327,23 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
     return compile_options_settle(&out->compile, err);
 }
 
+bool measure_request_order(int argc, char **argv, int *words_from, struct error *err)
+{
+    opterr = 0;
+    optind = 1;
+    for (int code; (code = getopt_long(argc, argv, ":o:", OPTIONS, NULL)) != -1;) {
+        if (code == ':') return error_set(err, "%s: needs a value", argv[optind - 1]);
+        if (code == '?') return no_such_option(argv[optind - 1], err);
+        if (!has_option(MEASURE_PRECISIONS, code)) return refuse_option(code, err);
+    }
+    *words_from = optind;
+    return true;
+}
+
 bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,
                           struct camera_path *path, struct error *err)
 {
-    if (!camera_choice_read(&request->cameras, path, err)) return false;
+    if (!compile_options_cameras(&request->compile, &request->cameras, path, err)) return false;
     if (!measure_source_read(source, request->model, &request->compile, request->w_px, request->h_px, err))
         return false;
     return lens_for_grid(lens, request->compile.fov_deg, request->compile.near_m, &source->mesh.grid, request->w_px,

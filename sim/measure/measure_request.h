@@ -23,6 +23,7 @@ struct measure_request {
     enum measure_of of;
     const char *model;
     const char *folder; /* -o; of `worst` the beginning of paths, of `report` a file. NULL: not given */
+    const char *result; /* --result: a file for `limner sweep`; NULL: not given */
     struct worst_options worst;
     struct camera_choice cameras;
     bool sub_bits;             /* with the usual variants */
@@ -43,6 +44,10 @@ struct measure_request {
 /* Fills in the defaults too: every profile on every processor; for methods, profile fast on m0plus and m4; for one
  * scene profile fast, and no processor. The strings stay argv's. */
 bool measure_request_parse(int argc, char **argv, enum measure_of of, struct measure_request *out, struct error *err);
+
+/* Puts the options of a command line in front of its other words, of which the first is argv[*words_from]. An error: an
+ * option is unknown to `limner measure`, or its value missing. */
+bool measure_request_order(int argc, char **argv, int *words_from, struct error *err);
 
 /* Reads the camera file, if there is one, and the model. All three must be zero and are the caller's to free, also
  * after a failure. */

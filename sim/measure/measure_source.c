@@ -10,9 +10,9 @@
 #include "base/grow.h"
 #include "base/vec3.h"
 #include "compiler/compile.h"
+#include "compiler/coordinates.h"
+#include "compiler/decision.h"
 #include "compiler/faithful.h"
-#include "compiler/mesh_choice.h"
-#include "compiler/mesh_leaf_choice.h"
 #include "compiler/moving_compile.h"
 #include "compiler/texture_budget.h"
 #include "core/core.h"
@@ -82,7 +82,7 @@ static bool read_mesh(struct measure_source *source, const struct model *model, 
 {
     struct mesh *mesh = &source->mesh;
     const struct model view = source_view(model);
-    if (!faithful_clean(model, options, mesh, err)) return false;
+    if (!coordinates_clean(model, options, mesh, err)) return false;
     if (!mesh_clean_fine(&view, &mesh->grid, &source->fine, err) ||
         !reference_init(&source->reference, &source->fine, w_px, h_px, err) ||
         !(options->keep_faces || mesh_merge(mesh, err)) || !mesh_insert_t_vertices(mesh, err))
@@ -111,7 +111,7 @@ bool measure_source_read(struct measure_source *source, const char *model_path, 
     ok = ok && source_take(model_path, &model, err);
     if (ok) model_tell(model_path, &model);
     const bool moves = ok && model.mover_count > 0;
-    if (ok && !options->unlit) light_bake(&model);
+    if (ok) (options->unlit ? light_none : light_bake)(&model);
     if (ok && !moves)
         ok = (texture_budget_apply(&model, options, err) && read_mesh(source, &model, options, w_px, h_px, err)) ||
              error_prefix(err, model_path);
@@ -179,33 +179,10 @@ void measure_source_free(struct measure_source *source)
     *source = (struct measure_source){0};
 }
 
-/* As compile.c does. */
-static bool choose_against_reference(const struct measure_source *source, const struct compile_options *options,
-                                     struct compiled *scene, struct error *err)
-{
-    struct reference reference = {0};
-    struct mesh_trials trials;
-    struct leaf_trial leaves = {0};
-    const bool may_be_mesh = mesh_choice_try(&source->mesh, options, scene, &trials);
-    bool ok = !may_be_mesh ||
-              (reference_init(&reference, &source->fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err) &&
-               mesh_choice_settle(&trials, &source->mesh, options, &reference, source->mesh.merged_into, scene, err));
-    if (ok && leaf_trial_begin(&leaves, &source->mesh, options, scene))
-        ok = (may_be_mesh || reference_init(&reference, &source->fine, PREDICT_SIDE_PX, PREDICT_SIDE_PX, err)) &&
-             leaf_trial_settle(&leaves, &reference, source->mesh.merged_into, scene, err);
-    reference_free(&reference);
-    mesh_trials_free(&trials);
-    leaf_trial_free(&leaves);
-    if (!ok) compiled_free(scene);
-    return ok;
-}
-
 bool measure_source_compile(const struct measure_source *source, const struct compile_options *options,
                             struct compiled *scene, struct error *err)
 {
-    if (!source->still.moving)
-        return faithful_compile(&source->mesh, options, scene, err) &&
-               choose_against_reference(source, options, scene, err);
+    if (!source->still.moving) return decision_make(&source->mesh, &source->fine, options, scene, err);
     return moving_compile_own(source->path, options, MOVING_CLIPPED, scene, err);
 }
 
@@ -220,12 +197,10 @@ static void cut_path(char *text, const char *path)
 bool measure_scene_for(struct measure_scenes *scenes, const struct measure_source *source, const struct core *core,
                        const struct compile_options *options, const struct compiled **out, struct error *err)
 {
-    const bool is_exact = core->profile == LIM_PROFILE_EXACT;
-    struct compiled *scene = is_exact ? &scenes->fractions : &scenes->plain;
+    struct compiled *scene = &scenes->of[core->profile];
+    struct error *refused = &scenes->refused[core->profile];
     struct compile_options mine = *options;
-    struct error *refused = is_exact ? &scenes->fractions_refused : &scenes->plain_refused;
-    mine.core = is_exact ? core : NULL; /* what the others share is compiled for fast */
-    if (mine.wrong_percent <= 0) mine.wrong_percent = mesh_choice_promised_percent(core); /* the first one's promise */
+    mine.core = cores[core->profile];
     *out = scene;
     if (scene->image) return true;
     if (!*refused->text && measure_source_compile(source, &mine, scene, refused)) {
@@ -264,6 +239,6 @@ bool measure_compile(struct measure_scenes *scenes, const struct measure_source 
 
 void measure_scenes_free(struct measure_scenes *scenes)
 {
-    compiled_free(&scenes->plain);
-    compiled_free(&scenes->fractions);
+    for (int i = 0; i < MEASURE_PROFILES; i++)
+        compiled_free(&scenes->of[i]);
 }

@@ -5,6 +5,7 @@
 
 #include "base/front.h"
 #include "core/core.h"
+#include "measure/shimmer.h"
 
 #include <math.h>
 #include <string.h>
@@ -31,11 +32,16 @@ void measure_table_judge(struct measure_table *table)
 static void print_accuracy(const struct measure_row *row, FILE *out)
 {
     const struct accuracy *accuracy = &row->accuracy;
-    fprintf(out, "| %s | %u | %.4f | %.4f (%zu) | %.2f | %zu | %zu | %.3f | %.3f | %zu of %zu |\n", row->core->name,
+    fprintf(out, "| %s | %u | %.4f | %.4f (%zu) | %.2f | %zu | %zu | %.3f | %.3f | %zu of %zu |", row->core->name,
             (unsigned)row->core->sub_bits, compare_wrong_percent(&accuracy->pixels.total),
             compare_wrong_percent(&accuracy->pixels.worst), accuracy->pixels.worst_frame,
             compare_beyond_ppm(&accuracy->pixels.total), accuracy->pixels.total.holes, accuracy->pixels.total.order,
             accuracy_vertex_rms_px(accuracy), accuracy->vertex_max_px, accuracy->sides_wrong, accuracy->sides);
+    if (accuracy->shimmer.known)
+        fprintf(out, " %.1f, %.1f |\n", shimmer_percent(&accuracy->shimmer.turn),
+                shimmer_percent(&accuracy->shimmer.walk));
+    else
+        fputs(" - |\n", out);
 }
 
 static void print_scales(const struct measure_scales *scales, FILE *out)
@@ -50,8 +56,8 @@ static void print_scales(const struct measure_scales *scales, FILE *out)
 static void print_accuracies(const struct measure_table *table, FILE *out)
 {
     fputs("| precision | sub-pixel bits | wrong, % | worst frame (its number) | beyond 1 px, ppm | holes "
-          "| of these order errors | vertex error rms, px | max | wrong sides of planes |\n"
-          "|---|---|---|---|---|---|---|---|---|---|\n",
+          "| of these order errors | vertex error rms, px | max | wrong sides of planes | shimmer, %: turn, walk |\n"
+          "|---|---|---|---|---|---|---|---|---|---|---|\n",
           out);
     for (size_t i = 0; i < table->row_count; i++)
         print_accuracy(&table->rows[i], out);
@@ -61,6 +67,11 @@ static void print_accuracies(const struct measure_table *table, FILE *out)
                  "precision; left out are clipped ones and those that splitting made.\n");
     fprintf(out, "%s: %zu were compared, %zu made by splitting.\n", table->rows[0].core->name, first->vertices,
             first->vertices_without_source);
+    fprintf(
+        out,
+        "\nShimmer: of the pixels that change from one frame to the next, those that have their colour back within %d "
+        "frames; in turns of %g degrees a frame, and walks of %g mm a frame, of %d frames from %d of the cameras.\n",
+        SHIMMER_WITHIN, SHIMMER_TURN_DEG, 1000.0 * SHIMMER_WALK_M, SHIMMER_STEPS, SHIMMER_STARTS);
     print_scales(&table->scales, out);
 }
 
@@ -265,7 +276,11 @@ static void csv_later(const struct measure_row *row, const struct measure_scales
         fprintf(out, "%.2f", accuracy->texel_straight_percent);
     fprintf(out, ",%u,%.9g,%.9g,", scales->coordinate_bits, scales->unit_m, scales->longest_m);
     if (scales->smallest_m > 0.0) fprintf(out, "%.9g", scales->smallest_m);
-    fputc('\n', out);
+    if (accuracy->shimmer.known)
+        fprintf(out, ",%.4f,%.4f\n", shimmer_percent(&accuracy->shimmer.turn),
+                shimmer_percent(&accuracy->shimmer.walk));
+    else
+        fputs(",,\n", out);
 }
 
 void measure_table_csv(const struct measure_table *table, FILE *out)
@@ -275,7 +290,7 @@ void measure_table_csv(const struct measure_table *table, FILE *out)
           "core,instructions,worst_instructions,worst_instructions_frame,a_vertex,a_plane_test,"
           "state_b,pools_b,static_b,code_b,library_b,scene_b,on_front,dominated_by,order_errors,textures_b,"
           "texel_rms,texel_far_percent,texel_level_percent,texel_straight_percent,coordinate_bits,unit_m,longest_m,"
-          "smallest_m\n",
+          "smallest_m,shimmer_turn_percent,shimmer_walk_percent\n",
           out);
     for (size_t i = 0; i < table->row_count; i++) {
         for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {

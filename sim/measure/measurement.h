@@ -44,8 +44,18 @@ bool measure_source_compile(const struct measure_source *source, const struct co
 
 void measure_source_free(struct measure_source *source);
 
+/* Changed pixels of slow moves, and those of them that were soon as before (shimmer.h). */
+struct shimmer_count {
+    size_t changed, back;
+};
+struct shimmer {
+    bool known; /* there was time */
+    struct shimmer_count turn, walk;
+};
+
 struct accuracy {
     struct comparison pixels;
+    struct shimmer shimmer; /* not by measure_accuracy() */
     /* Vertices of polygons that are seen, once a frame, unless clipped or made by splitting: how far the
      * renderer's point is from the double projection of the model's. */
     size_t vertices, vertices_without_source;
@@ -90,15 +100,17 @@ struct measure_candidate {
     const struct compiled *scene;
 };
 
-/* A model's scene without and with fractions; what nobody asks for stays empty. The one
- * may be refused and the other not: with fractions, corners are rounded less. */
+enum { MEASURE_PROFILES = LIM_PROFILE_EXACT + 1 };
+
+/* A model's scene for each profile; what nobody asks for stays empty. One may be refused and another not: with
+ * fractions, corners are rounded less. */
 struct measure_scenes {
-    struct compiled plain, fractions;
-    struct error plain_refused, fractions_refused; /* why; empty: not refused so far */
+    struct compiled of[MEASURE_PROFILES];   /* by profile */
+    struct error refused[MEASURE_PROFILES]; /* why; empty: not refused so far */
 };
 
-/* The scene that a renderer wants: profile exact with fractions, for the others these would be flash for
- * nothing. Compiled when first asked for; what was refused is not tried again. */
+/* The scene that a renderer wants: what `limner compile` makes for its profile. Compiled when first asked for; what was
+ * refused is not tried again. */
 bool measure_scene_for(struct measure_scenes *scenes, const struct measure_source *source, const struct core *core,
                        const struct compile_options *options, const struct compiled **out, struct error *err);
 

@@ -6,6 +6,7 @@
 
 #include "base/vec3.h"
 #include "model/mono_tones.h"
+#include "model/srgb.h"
 
 #include <math.h>
 
@@ -46,15 +47,27 @@ static uint32_t dimmed(uint32_t colour, double by)
     return out;
 }
 
+static void add_emission(struct model_face *face)
+{
+    face->colour = srgb_sum(face->colour, face->emission);
+    face->emission = 0;
+}
+
 static void bake(struct model *model, const struct lamp *lamp)
 {
     for (size_t i = 0; i < model->face_count; i++) {
         struct model_face *face = &model->faces[i];
         double normal[3];
-        if (face->unlit) continue;
         normal_of(model, face, normal);
-        face->colour = dimmed(face->colour, brightness(lamp, normal));
+        if (!face->unlit) face->colour = dimmed(face->colour, brightness(lamp, normal));
+        add_emission(face);
     }
+}
+
+void light_none(struct model *model)
+{
+    for (size_t i = 0; i < model->face_count; i++)
+        add_emission(&model->faces[i]);
 }
 
 void light_bake(struct model *model)

@@ -4,6 +4,8 @@
  * pixels of the face. */
 #include "model/flat_texture.h"
 
+#include "base/rgb888.h"
+
 #include <math.h>
 
 enum { MOST_TEXELS = 1 << 16 }; /* of a box: a larger one counts as no palette's colour */
@@ -49,15 +51,6 @@ static bool is_one_colour(const struct picture *picture, const struct texel_box 
     return true;
 }
 
-/* sRGB values, as textures are tinted. */
-static uint32_t tinted(uint32_t texel, uint32_t colour)
-{
-    uint32_t out = 0;
-    for (int shift = 16; shift >= 0; shift -= 8)
-        out |= ((texel >> shift & 0xFF) * (colour >> shift & 0xFF) + 127) / 255 << shift;
-    return out;
-}
-
 size_t flat_texture_find(struct model *model)
 {
     size_t count = 0;
@@ -68,7 +61,7 @@ size_t flat_texture_find(struct model *model)
         uint32_t colour;
         if (!picture || !picture->pixels || picture->sky.times || !box_of_face(model, face, picture, &box)) continue;
         if (!is_one_colour(picture, &box, &colour)) continue;
-        face->colour = tinted(colour, face->colour);
+        face->colour = rgb888_times(colour, face->colour);
         if (picture->is_masked) face->transparency = colour & PICTURE_CLEAR ? INVISIBLE : 0;
         face->picture = 0;
         picture->faces--;

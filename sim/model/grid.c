@@ -14,8 +14,11 @@ static const double GRID_SPAN_UNITS = 65534;      /* -32767 .. 32767 */
 static const double LONG_SPAN_UNITS = 1073741820; /* 2^30, less what rounding adds */
 static const double UNITS_A_FACE = 4096;          /* of the smallest one, on a long grid */
 static const double FINER_THAN_SHORT = 4;
-static const double SQUEEZE = 1000;   /* leaves the rest of the model 65 units or less */
-static const double FLAT_UNITS = 0.5; /* what rounding to the grid does anyway */
+static const double UNITS_TO_NEAR = 16; /* any lens has its near plane there */
+static const double USUAL_NEAR_M = 0.1;
+static const double LONG_EYE_UNITS = LIM_LONG_EYE_END - 2; /* less what rounding adds */
+static const double SQUEEZE = 1000;                        /* leaves the rest of the model 65 units or less */
+static const double FLAT_UNITS = 0.5;                      /* what rounding to the grid does anyway */
 
 struct bounds {
     double low[3], high[3];
@@ -224,7 +227,20 @@ static double least_face_m(const struct model *model)
     return least_m;
 }
 
-bool grid_choose_long(const struct model *model, double near_m, struct grid *grid, struct error *err)
+void grid_scale_long(double longest_m, double least_face_m, const struct grid_views *views, struct grid *grid)
+{
+    const bool is_near_known = views->near_m > 0;
+    const double largest = is_near_known ? LIM_LONG_NEAR_MAX_Q8 / 256.0 / views->near_m : INFINITY;
+    const double faces = fmax(UNITS_A_FACE / least_face_m, FINER_THAN_SHORT * GRID_SPAN_UNITS / longest_m);
+    const double wanted = fmax(faces, UNITS_TO_NEAR / (is_near_known ? views->near_m : USUAL_NEAR_M));
+    double most = LONG_SPAN_UNITS / longest_m;
+    if (views->far_m > 0) most = fmin(most, LONG_EYE_UNITS / views->far_m);
+    grid->is_long = true;
+    grid->units_per_m = fmin(most, fmin(wanted, largest));
+    grid->has_fractions = grid->units_per_m < fmin(faces, largest);
+}
+
+bool grid_choose_long(const struct model *model, const struct grid_views *views, struct grid *grid, struct error *err)
 {
     struct place *places = grow_zeroed(model->corner_count, sizeof *places);
     size_t count = find_places(model, places);
@@ -232,13 +248,10 @@ bool grid_choose_long(const struct model *model, double near_m, struct grid *gri
     const double longest_m = longest_side(&all);
     free(places);
     if (!(longest_m > 0)) return error_set(err, "no face has an area: all corners are at one place");
-    *grid = (struct grid){.is_long = true};
+    *grid = (struct grid){0};
     for (int axis = 0; axis < 3; axis++)
         grid->origin_m[axis] = all.low[axis] + (all.high[axis] - all.low[axis]) / 2;
-    const double needed = fmax(UNITS_A_FACE / least_face_m(model), FINER_THAN_SHORT * GRID_SPAN_UNITS / longest_m);
-    const double wanted = near_m > 0 ? fmin(needed, LIM_LONG_NEAR_MAX_Q8 / 256.0 / near_m) : needed;
-    grid->units_per_m = fmin(LONG_SPAN_UNITS / longest_m, wanted);
-    grid->has_fractions = grid->units_per_m < wanted;
+    grid_scale_long(longest_m, least_face_m(model), views, grid);
     return true;
 }
 

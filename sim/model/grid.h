@@ -12,9 +12,19 @@
  * corners squeeze the rest: without them, 1 in 100, it would be 1000 times smaller. */
 bool grid_choose(const struct model *model, struct grid *grid, struct error *err);
 
-/* A grid of many scales, for a long scene: units are a small part of what the smallest face takes, and as large as they
- * have to be for the whole scene to span 2^30 of them, and for a near plane at near_m, or 0, if it is not known. */
-bool grid_choose_long(const struct model *model, double near_m, struct grid *grid, struct error *err);
+/* From where a scene is seen. 0: it is not known. */
+struct grid_views {
+    double near_m; /* the near plane's distance */
+    double far_m;  /* how far the farthest eye is from the middle of the scene, along an axis */
+};
+
+/* A grid of many scales, for a long scene: units are a small part of what the smallest face takes, and of the near
+ * plane's distance; and as large as they have to be for the whole scene to span 2^30 of them, for that near plane, and
+ * for that eye. */
+bool grid_choose_long(const struct model *model, const struct grid_views *views, struct grid *grid, struct error *err);
+
+/* The scale of such a grid, and whether it needs fractions, for a scene that is longest_m long. */
+void grid_scale_long(double longest_m, double least_face_m, const struct grid_views *views, struct grid *grid);
 
 /* Points nearer than this are one: 1/16 unit, 2^-20 of the scene's longest side. A float32 importer
  * is 16 times finer. */

@@ -257,12 +257,24 @@ static void merge_all(struct merging *merging)
     progress_end();
 }
 
+static void note_parts(struct merging *merging)
+{
+    struct mesh *mesh = merging->mesh;
+    for (uint32_t i = (uint32_t)mesh->polygon_count; i-- > 0;) /* backwards: a face's first piece has the last word */
+        mesh->merged_into[mesh->polygons[i].face] = mesh->polygons[part_of(merging->parts, i)].face;
+    for (uint32_t i = 0; i < mesh->polygon_count; i++) {
+        const uint32_t face = mesh->polygons[i].face, into = mesh->polygons[part_of(merging->parts, i)].face;
+        if (into == mesh->merged_into[face]) continue;
+        mesh->pieces = grow(mesh->pieces, mesh->piece_count, &mesh->piece_capacity, sizeof *mesh->pieces);
+        mesh->pieces[mesh->piece_count++] = (struct mesh_piece){face, into};
+    }
+}
+
 static bool finish(struct merging *merging, struct error *err)
 {
     struct mesh *mesh = merging->mesh;
     struct polygon_list list = {0};
-    for (uint32_t i = (uint32_t)mesh->polygon_count; i-- > 0;) /* backwards: a face's first piece has the last word */
-        mesh->merged_into[mesh->polygons[i].face] = mesh->polygons[part_of(merging->parts, i)].face;
+    note_parts(merging);
     for (uint32_t i = 0; i < mesh->polygon_count; i++) {
         struct part *part = &merging->parts[i];
         if (part->into == i) {

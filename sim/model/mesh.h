@@ -36,7 +36,7 @@ struct mapping {
 
 /* One line of text on what could not be taken as it was. */
 struct note {
-    char text[256];
+    char text[512];
     bool is_detail; /* for the report alone */
 };
 
@@ -60,6 +60,11 @@ struct mesh_counts {
 
 struct original;
 
+/* A piece of a face that was cut and merged: it is in another polygon than the face's first piece. */
+struct mesh_piece {
+    uint32_t face, into; /* face numbers, as of merged_into */
+};
+
 struct mesh {
     double (*points)[3]; /* metres, no two nearer than grid_weld_m(); some may be unused */
     size_t point_count;
@@ -81,6 +86,8 @@ struct mesh {
     uint32_t *merged_into;     /* counts.faces + 1 entries: merged_into[face] = face number of the polygon
                                   that holds it (its first piece, if it was cut), itself if unmerged, 0
                                   if dropped */
+    struct mesh_piece *pieces; /* of faces that were cut, by face: where merged_into does not have them */
+    size_t piece_count, piece_capacity;
 };
 
 /* Welds, drops faces of no area or opacity, triangulates what is not flat or not convex. Chooses the grid: the

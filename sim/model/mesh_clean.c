@@ -7,6 +7,7 @@
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/progress.h"
+#include "base/rgb888.h"
 #include "model/grid.h"
 #include "model/inner.h"
 #include "model/loop.h"
@@ -21,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { INVISIBLE = 255 /* as a transparency */, FINER = 256 /* than the grid */ };
+enum { INVISIBLE = 255 /* as a transparency */, FINER = 256 /* than the grid */, UNWELDED = 4096 /* than that */ };
 
 struct cleaning {
     const struct model *model;
@@ -67,8 +68,8 @@ static bool refuse_nothing_left(const struct cleaning *cleaning, struct error *e
         return error_set(err, "every face is invisible: the opacity of all materials is 0");
     if (!counts->too_small) return error_set(err, "no face has an area: the corners of each are on one line");
     const size_t face = cleaning->first_too_small;
-    return error_set(err, "face %zu is %.3g m wide and a unit of the grid %.3g m: nothing would be left",
-                     cleaning->model->numbers ? (size_t)cleaning->model->numbers[face] : face + 1,
+    return error_set(err, "face %u is %.3g m wide and a unit of the grid %.3g m: nothing would be left",
+                     model_face_number(cleaning->model, face),
                      face_size_m(cleaning->model, &cleaning->model->faces[face]),
                      1.0 / cleaning->mesh->grid.units_per_m);
 }
@@ -86,6 +87,9 @@ static bool set_mapping(struct cleaning *cleaning, const struct loop *loop, stru
     bool is_affine;
     const struct model_face *face = &cleaning->model->faces[polygon->face - 1];
     polygon->mapping = mapping_add(cleaning->mesh, cleaning->model, face, cleaning->welded, loop, &is_affine);
+    const struct texture *texture = face->picture ? &cleaning->mesh->textures[face->picture - 1] : NULL;
+    if (!polygon->mapping && texture && texture->texel_count)
+        polygon->colour = rgb888_times(texture->mean, face->colour);
     return is_affine;
 }
 
@@ -169,7 +173,8 @@ static void clean_faces(struct cleaning *cleaning, const struct model *model, co
     free(corners);
 }
 
-static bool clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, bool keep_original,
+/* fine: for the reference, which knows no other original, and to which what is near is not welded. */
+static bool clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, bool fine,
                      struct error *err)
 {
     *mesh = (struct mesh){.counts = {.faces = model->face_count, .clamped = model->alpha_clamped},
@@ -182,12 +187,12 @@ static bool clean_on(const struct model *model, const struct grid *grid, struct 
     struct cleaning cleaning = {
         .model = model, .mesh = mesh, .near_m = grid_near_m(&mesh->grid), .flat_m = grid_flat_m(&mesh->grid)};
     mesh->merged_into = grow_zeroed(model->face_count + 1, sizeof *mesh->merged_into);
-    uint32_t *welded = weld_points(model, grid_weld_m(&mesh->grid), mesh);
+    uint32_t *welded = weld_points(model, grid_weld_m(&mesh->grid) / (fine ? UNWELDED : 1), mesh);
     cleaning.welded = welded;
     bool ok = deadline_check(err, "points were still welded");
     if (ok) clean_faces(&cleaning, model, welded);
     if (ok) remove_outlines(mesh, model, welded);
-    if (ok && keep_original) mesh->original = original_make(model, grid, welded);
+    if (ok && !fine) mesh->original = original_make(model, grid, welded);
     free(welded);
     ok = polygon_list_move(&cleaning.list, mesh, ok ? err : &(struct error){0}) && ok;
     ok = ok && deadline_check(err, "faces were still triangulated") &&
@@ -205,7 +210,7 @@ bool mesh_clean(const struct model *model, struct mesh *mesh, struct error *err)
 
 bool mesh_clean_on(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err)
 {
-    return clean_on(model, grid, mesh, true, err);
+    return clean_on(model, grid, mesh, false, err);
 }
 
 bool mesh_clean_fine(const struct model *model, const struct grid *grid, struct mesh *mesh, struct error *err)
@@ -217,7 +222,7 @@ bool mesh_clean_fine(const struct model *model, const struct grid *grid, struct 
     else if (!grid_choose(model, &fine, err))
         return false;
     fine.units_per_m *= FINER;
-    return clean_on(model, &fine, mesh, false, err);
+    return clean_on(model, &fine, mesh, true, err);
 }
 
 void mesh_free(struct mesh *mesh)
@@ -226,6 +231,7 @@ void mesh_free(struct mesh *mesh)
     free(mesh->corners);
     free(mesh->polygons);
     free(mesh->merged_into);
+    free(mesh->pieces);
     map_free(&mesh->inner);
     original_free(mesh->original);
     free(mesh->mappings);

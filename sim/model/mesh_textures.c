@@ -4,6 +4,7 @@
 #include "model/mesh.h"
 
 #include "base/grow.h"
+#include "base/names.h"
 #include "model/texture_cut.h"
 #include "scene.h"
 
@@ -52,8 +53,8 @@ static struct note *note_add(struct mesh *mesh)
 static void note_left_out(struct mesh *mesh, const struct picture *picture)
 {
     struct note *note = note_add(mesh);
-    snprintf(note->text, sizeof note->text, "texture %s: %s; faces of a flat colour instead: %zu", picture->name,
-             picture->reason, picture->faces);
+    snprintf(note->text, sizeof note->text, "texture %s: %s; faces of a flat colour instead: %zu",
+             name_end(picture->name).text, picture->reason, picture->faces);
 }
 
 static void note_opaque(struct mesh *mesh, const struct picture *picture)
@@ -61,7 +62,7 @@ static void note_opaque(struct mesh *mesh, const struct picture *picture)
     if (!picture->clear_faces) return;
     struct note *note = note_add(mesh);
     snprintf(note->text, sizeof note->text, "texture %s: its transparency is not drawn; faces that it belongs to: %zu",
-             picture->name, picture->clear_faces);
+             name_end(picture->name).text, picture->clear_faces);
 }
 
 /* Whether it was. */
@@ -77,8 +78,9 @@ static void note_resized(struct mesh *mesh, const struct picture *picture, const
     const unsigned w_px = 1u << (texture->transposed ? texture->h_bits : texture->w_bits);
     const unsigned h_px = 1u << (texture->transposed ? texture->w_bits : texture->h_bits);
     struct note *note = note_add(mesh);
-    snprintf(note->text, sizeof note->text, "texture %s: %lux%lu pixels, resized to %ux%u%s", picture->name,
-             (unsigned long)picture->found_w_px, (unsigned long)picture->found_h_px, w_px, h_px,
+    snprintf(note->text, sizeof note->text, "texture %s: %lux%lu pixels, resized to %ux%u%s",
+             name_end(picture->name).text, (unsigned long)picture->found_w_px, (unsigned long)picture->found_h_px, w_px,
+             h_px,
              crowded && w_px * h_px < picture->found_w_px * picture->found_h_px
                  ? ": the scene's textures would be too large together"
                  : ", as sides are powers of two");
@@ -97,7 +99,7 @@ static void note_budget(struct mesh *mesh, const struct model *model)
         if (!*model->pictures[i].became) continue;
         struct note *note = note_add(mesh);
         note->is_detail = true;
-        snprintf(note->text, sizeof note->text, "texture %s: shown as %s", model->pictures[i].name,
+        snprintf(note->text, sizeof note->text, "texture %s: shown as %s", name_end(model->pictures[i].name).text,
                  model->pictures[i].became);
     }
 }
@@ -109,7 +111,7 @@ bool mesh_textures_enlarge(const struct model *model, struct mesh *mesh, struct 
         if (!mesh->textures[i].texel_count) continue;
         texture_free(&mesh->textures[i]);
         if (!texture_make(picture, MOST_BITS, &mesh->textures[i]))
-            return error_set(err, "texture %s: out of memory", picture->name);
+            return error_set(err, "texture %s: out of memory", name_end(picture->name).text);
     }
     return true;
 }
@@ -135,13 +137,14 @@ bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct err
         note_opaque(mesh, picture);
         if (!picture->faces) continue;
         if (!picture->w_px && !picture->left_out)
-            return error_set(err, "texture %s: %s; --no-textures does without", picture->name, picture->reason);
+            return error_set(err, "texture %s: %s; --no-textures does without", name_end(picture->name).text,
+                             picture->reason);
         if (!picture->w_px) {
             note_left_out(mesh, picture);
             continue;
         }
         if (!texture_make(picture, most_bits, &mesh->textures[i]))
-            return error_set(err, "texture %s: out of memory", picture->name);
+            return error_set(err, "texture %s: out of memory", name_end(picture->name).text);
         const bool was_resized = is_resized(picture, &mesh->textures[i]);
         texture_cut(&mesh->textures[i], levels_less(picture, mesh->textures[i].w_bits));
         if (!was_resized || *picture->became) continue;

@@ -9,7 +9,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { TEXTURE_SIDE_MAX_PX = 1024, TEXTURE_COLOURS = 256, TEXTURE_NAME_B = 96 };
+enum { TEXTURE_SIDE_MAX_PX = 1024, TEXTURE_COLOURS = 256 };
+
+/* Of a name as long as importers hand it over, and of words about a picture. */
+enum { PICTURE_NAME_B = 1024, PICTURE_WORDS_B = 192 };
 
 /* Of a picture's pixels: what is behind is seen through it. */
 #define PICTURE_CLEAR 0x1000000u
@@ -21,23 +24,27 @@ struct sky_look {
 };
 enum { SKY_TIMES_MAX = 16 };
 
+/* What is seen beyond a picture's borders. */
+enum picture_wrap { PICTURE_REPEATS, PICTURE_MIRRORS, PICTURE_CLAMPS };
+
 /* A picture as it was found, or why it was not. */
 struct picture {
-    char name[TEXTURE_NAME_B];   /* as the model names it */
-    char reason[TEXTURE_NAME_B]; /* why there are no pixels; empty if there are */
+    char name[PICTURE_NAME_B];    /* as the model names it */
+    char reason[PICTURE_WORDS_B]; /* why there are no pixels; empty if there are */
     uint32_t found_w_px, found_h_px;
     uint32_t w_px, h_px; /* the same, or less: no side is longer than TEXTURE_SIDE_MAX_PX */
     uint32_t *pixels;    /* 0xRRGGBB, or more of them PICTURE_CLEAR, rows from the top; owned */
     uint8_t *alpha;      /* of each pixel, 255 is opaque; NULL: of no use any more, or all are; owned */
     bool is_masked;      /* some pixels are clear */
     struct sky_look sky; /* how it is seen around the eye; times is 0: it is not */
+    uint8_t wrap[2];     /* enum picture_wrap, across and down: texture_wrap.h makes all of them repeat */
     bool left_out;       /* by the user's wish: there are no pixels, and that is no error */
     bool has_alpha;      /* not all of it is opaque, as it was found */
     size_t faces;        /* that show it */
     uint8_t
         w_bits_end; /* its texture has fewer bits of width than that, by leaving out levels; 0: as many as it likes */
-    char became[TEXTURE_NAME_B + 32]; /* for --texture-budget, for people; empty: nothing */
-    size_t clear_faces; /* whose transparency it has, by its alpha or as their mask, and which is not drawn */
+    char became[PICTURE_WORDS_B]; /* for --texture-budget, for people; empty: nothing */
+    size_t clear_faces;           /* whose transparency it has, by its alpha or as their mask, and which is not drawn */
 };
 
 struct texture {

@@ -19,6 +19,8 @@ struct model_face {
     uint8_t transparency;  /* 0 is opaque, 255 invisible */
     uint32_t picture;      /* 1-based, of what the face shows, times its colour; 0: none */
     bool unlit;            /* the material's colour is final: no light is baked in */
+    uint32_t emission;     /* 0xRRGGBB (sRGB), added to the colour once that is lit, a channel up to 255 */
+    uint32_t number;       /* in the file, from 1; 0: its place among the model's faces, from 1 */
     uint16_t mover;        /* 0: it stays where it is; else movers[mover - 1] moves it */
 };
 
@@ -52,15 +54,15 @@ struct model {
     double (*points)[3]; /* metres, y up, right-handed, node transforms applied; some may be unused */
     double (*uvs)[2]; /* of each point, in pictures, across from the left and down from the top; NULL: there are none */
     double (*source_points)[3]; /* the points as the reference's own reader has them (source.h); NULL: not read by it */
+    bool has_no_source;         /* that reader was asked, and does not know the format */
     struct source_motion *source_motion; /* likewise what moves; NULL: keys are all that is known */
     size_t point_count;
     uint32_t *corners; /* indices into points */
     size_t corner_count;
-    struct model_face *faces; /* faces[i] is face number i + 1 of the file */
+    struct model_face *faces; /* in the file's order */
     size_t face_count;
-    size_t made_faces;       /* the last ones, which are not the file's (moving_frame.h) */
-    const uint32_t *numbers; /* of each face in the file, somebody else's; NULL: faces[i] is number i + 1 */
-    size_t alpha_clamped;    /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
+    size_t made_faces;    /* the last ones, which are not the file's (moving_frame.h) */
+    size_t alpha_clamped; /* faces whose material's opacity was below 0 or above 1, and is the nearer of them now */
     size_t faces_of_many_colours; /* whose corners' colours differ: each has the mean of them */
     struct picture *pictures;     /* also those that cannot be read */
     size_t picture_count;
@@ -80,6 +82,12 @@ struct model {
 enum { MODEL_DEFAULT_COLOUR = 0xC8C8C8 }; /* of faces that have neither material nor vertex colours */
 
 void model_free(struct model *model);
+
+/* Of faces[index], in the file, from 1. */
+static inline uint32_t model_face_number(const struct model *model, size_t index)
+{
+    return model->faces[index].number ? model->faces[index].number : (uint32_t)index + 1;
+}
 
 /* Adds a line to the notice, printf-style, without a newline. One that does not fit is replaced by words that say so.
  */

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * Face colours from the importer's materials and vertex colours. Linear light (physically based
- * materials) is encoded by the sRGB curve of IEC 61966-2-1 after all arithmetic. */
+ * materials) is encoded as sRGB after all arithmetic. */
 #include "model/model_colour.h"
 
 #include "model/mean_colour.h"
 #include "model/model.h"
+#include "model/srgb.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -64,6 +65,16 @@ static void set_opacity(struct model_paint *paint, const struct aiMaterial *mate
     if (masked && paint->opacity > 0 && opacity > 0) paint->least_alpha = cutoff / opacity;
 }
 
+/* What is unlit shows its colour and no more. */
+static void set_light(struct model_paint *paint, const struct aiMaterial *material)
+{
+    struct aiColor4D colour;
+    if (paint->unlit || aiGetMaterialColor(material, AI_MATKEY_COLOR_EMISSIVE, &colour) != aiReturn_SUCCESS) return;
+    const double channels[3] = {colour.r, colour.g, colour.b};
+    for (int i = 0; i < 3; i++)
+        paint->light[i] = channels[i] > 0 ? paint->linear ? channels[i] : srgb_to_linear(channels[i]) : 0;
+}
+
 struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMesh *mesh)
 {
     struct model_paint paint = default_paint(mesh);
@@ -79,22 +90,12 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
     int shading = 0;
     aiGetMaterialIntegerArray(material, AI_MATKEY_SHADING_MODEL, &shading, NULL);
     paint.unlit = shading == aiShadingMode_NoShading;
+    set_light(&paint, material);
     int two_sided = 0;
     aiGetMaterialIntegerArray(material, AI_MATKEY_TWOSIDED, &two_sided, NULL);
     paint.two_sided = two_sided != 0;
     set_opacity(&paint, material);
     return paint;
-}
-
-static double srgb_from_linear(double c)
-{
-    return c <= 0.0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - 0.055;
-}
-
-/* NaN, which a file may hold, becomes black. */
-static uint32_t byte_from_unit(double c)
-{
-    return c > 0 ? (uint32_t)(255 * fmin(c, 1) + 0.5) : 0;
 }
 
 /* Empty where vertices have no colours. */
@@ -109,6 +110,24 @@ static struct mean_colour corners_of(const struct model_paint *paint, const stru
     return mean;
 }
 
+static uint32_t colour_of(const double rgb[3], bool is_linear)
+{
+    uint32_t colour = 0;
+    for (int i = 0; i < 3; i++)
+        colour = colour << 8 | srgb_byte(is_linear ? srgb_from_linear(rgb[i]) : rgb[i]);
+    return colour;
+}
+
+uint32_t model_paint_colour(const struct model_paint *paint)
+{
+    return colour_of(paint->rgb, paint->linear);
+}
+
+uint32_t model_paint_emission(const struct model_paint *paint)
+{
+    return colour_of(paint->light, true);
+}
+
 double model_face_opacity(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face)
 {
     const struct mean_colour corners = corners_of(paint, mesh, face);
@@ -119,11 +138,9 @@ uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh 
                            bool *varies)
 {
     const struct mean_colour corners = corners_of(paint, mesh, face);
-    uint32_t colour = 0;
-    for (int channel = 0; channel < 3; channel++) {
-        const double c = paint->rgb[channel] * mean_colour_of(&corners, channel);
-        colour = colour << 8 | byte_from_unit(paint->linear ? srgb_from_linear(c) : c);
-    }
+    double rgb[3];
+    for (int channel = 0; channel < 3; channel++)
+        rgb[channel] = paint->rgb[channel] * mean_colour_of(&corners, channel);
     *varies = mean_colour_varies(mean_colour_spread(&corners));
-    return colour;
+    return colour_of(rgb, paint->linear);
 }

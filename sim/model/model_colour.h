@@ -16,6 +16,7 @@ struct model_paint {
     bool textures_blend; /* so does the alpha of its texture: unless alphaMode of glTF says OPAQUE */
     double least_alpha;  /* 0..1: what of its texture, or of its mask, has less is clear; 0: nothing is */
     bool two_sided;      /* the material asks for both sides */
+    double light[3];     /* linear light that it emits, which is added once it is lit; no longer between 0 and 1 */
     bool by_vertex;      /* vertices have colours */
     bool unlit;          /* it is not to be lit: `illum 0` of MTL, KHR_materials_unlit of glTF */
 };
@@ -25,6 +26,10 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
 
 /* The opacity of a face of this paint: its own times the mean of the vertex colours' alphas, if those count. */
 double model_face_opacity(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face);
+
+/* 0xRRGGBB (sRGB): of paint alone, and what it emits. */
+uint32_t model_paint_colour(const struct model_paint *paint);
+uint32_t model_paint_emission(const struct model_paint *paint);
 
 /* 0xRRGGBB (sRGB): the paint times the mean of the face's vertex colours, and whether these differ. */
 uint32_t model_face_colour(const struct model_paint *paint, const struct aiMesh *mesh, const struct aiFace *face,

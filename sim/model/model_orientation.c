@@ -87,7 +87,7 @@ static bool is_z_up(const struct orientation *orientation, enum up_custom custom
 /* Turning ---------------------------------------------------------------------------------------------------------- */
 
 /* By a quarter round x: z becomes y. */
-static void turn_point(double at_m[3])
+void orientation_turn_up(double at_m[3])
 {
     const double y_m = at_m[1];
     at_m[1] = at_m[2];
@@ -98,7 +98,7 @@ static void turn_point(double at_m[3])
 static void turn_pose(struct model_pose *pose)
 {
     const double h = sqrt(0.5), x = pose->turn[0], y = pose->turn[1], z = pose->turn[2], w = pose->turn[3];
-    turn_point(pose->at_m);
+    orientation_turn_up(pose->at_m);
     pose->turn[0] = h * (x - w);
     pose->turn[1] = h * (y + z);
     pose->turn[2] = h * (z - y);
@@ -118,7 +118,7 @@ static void turn_back(struct model *model)
 static void turn_up(struct model *model)
 {
     for (size_t i = 0; i < model->point_count; i++)
-        turn_point(model->points[i]);
+        orientation_turn_up(model->points[i]);
     for (size_t i = 0; i < model->mover_count; i++)
         turn_pose(&model->movers[i].rest);
     for (size_t i = 0; i < model->key_count; i++)
@@ -171,5 +171,5 @@ void orientation_apply(const struct orientation *orientation, enum up_custom cus
 
 void orientation_point(const struct model *model, double at_m[3])
 {
-    if (model->z_was_up) turn_point(at_m);
+    if (model->z_was_up) orientation_turn_up(at_m);
 }

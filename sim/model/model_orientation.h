@@ -34,6 +34,9 @@ struct orientation {
 enum orientation_code { ORIENTATION_UP = 1024, ORIENTATION_REVERSE_FACES, ORIENTATION_TWO_SIDED };
 bool orientation_parse(int code, const char *text, struct orientation *out, struct error *err);
 
+/* A point of a file whose z is up, as y is up. */
+void orientation_turn_up(double at_m[3]);
+
 /* Turns the model, whose coordinates are the file's, so that y is up. Notices tell what was found out without being
  * asked, and what looks wrong. */
 void orientation_apply(const struct orientation *orientation, enum up_custom custom, struct model *model);

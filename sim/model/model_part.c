@@ -109,6 +109,7 @@ void model_part(const struct model *model, size_t mover, bool is_textured, struc
         if (face->mover != mover) continue;
         (*numbers)[part->face_count] = (uint32_t)i + 1;
         part->faces[part->face_count] = *face;
+        part->faces[part->face_count].number = model_face_number(model, i);
         part->faces[part->face_count].first = (uint32_t)part->corner_count;
         if (!is_textured)
             drop_picture(model, &part->faces[part->face_count]);
@@ -121,6 +122,5 @@ void model_part(const struct model *model, size_t mover, bool is_textured, struc
             part->corners[part->corner_count++] = places[point] - 1;
         }
     }
-    part->numbers = *numbers;
     free(places);
 }

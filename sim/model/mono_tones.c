@@ -5,6 +5,7 @@
 #include "model/mono_tones.h"
 
 #include "base/vec3.h"
+#include "model/srgb.h"
 
 #include <math.h>
 #include <string.h>
@@ -63,7 +64,8 @@ static void count_all(struct histogram *histogram, const struct model *model)
     }
     for (size_t i = 0; i < model->face_count; i++)
         if (!picture_of(model, &model->faces[i]))
-            histogram->area[brightness(model->faces[i].colour)] += area_of(model, &model->faces[i]);
+            histogram->area[brightness(srgb_sum(model->faces[i].colour, model->faces[i].emission))] +=
+                area_of(model, &model->faces[i]);
 }
 
 /* The level that no more than the share exceeds. Where nearly all is black its noise stays black. */
@@ -101,6 +103,9 @@ void mono_tones(struct model *model)
     const unsigned white = white_level(&histogram);
     for (size_t i = 0; i < model->face_count; i++) {
         struct model_face *face = &model->faces[i];
+        face->unlit |= face->emission != 0; /* what glows has no dark side */
+        face->colour = srgb_sum(face->colour, face->emission);
+        face->emission = 0;
         face->colour = picture_of(model, face) ? tint(face->colour) : toned(face->colour, white);
     }
     for (size_t p = 0; p < model->picture_count; p++) {

@@ -78,8 +78,7 @@ static void face_set(struct joining *joining, size_t index, const uint32_t *weld
     struct original_face *face = &out->faces[index];
     const struct loop loop = {model->points, &model->corners[from->first], from->count};
     double low[3] = {DBL_MAX, DBL_MAX, DBL_MAX}, high[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
-    *face = (struct original_face){.first = (uint32_t)out->corner_count,
-                                   .number = model->numbers ? model->numbers[index] : (uint32_t)index + 1};
+    *face = (struct original_face){.first = (uint32_t)out->corner_count, .number = model_face_number(model, index)};
     joining->patch[index] = joining->thing[index] = (uint32_t)index;
     for (uint32_t k = 0; k < from->count; k++)
         widen(low, high, model->points[loop.corners[k]]);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "page/html.h"
 
+#include "base/printable.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -8,29 +10,7 @@
 enum { NUMBER_B = 64, GROUP = 3 };
 static const char THIN_SPACE[] = "&#8239;", UNKNOWN[] = "&#65533;", DASH[] = "&#8211;";
 
-/* Bytes of the character of UTF-8 at `at`; 0: it is none. Neither overlong ones nor surrogates are. */
-static size_t utf8_length(const unsigned char *at)
-{
-    static const struct {
-        unsigned char mask, lead;
-        size_t length;
-        uint32_t least;
-    } forms[] = {{0xE0, 0xC0, 2, 0x80}, {0xF0, 0xE0, 3, 0x800}, {0xF8, 0xF0, 4, 0x10000}};
-    if (*at < 0x80) return 1;
-    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
-        if ((*at & forms[i].mask) != forms[i].lead) continue;
-        uint32_t code = (uint32_t)(*at & (unsigned char)~forms[i].mask);
-        for (size_t k = 1; k < forms[i].length; k++) {
-            if ((at[k] & 0xC0) != 0x80) return 0;
-            code = code << 6 | (at[k] & 0x3Fu);
-        }
-        const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF, is_control = code < 0xA0;
-        return code < forms[i].least || code > 0x10FFFF || is_surrogate || is_control ? 0 : forms[i].length;
-    }
-    return 0;
-}
-
-static const char *escape_of(unsigned char letter)
+static const char *escape_of(char letter)
 {
     switch (letter) {
     case '<':
@@ -44,20 +24,19 @@ static const char *escape_of(unsigned char letter)
     case '\'':
         return "&#39;";
     default:
-        return letter < ' ' || letter == 0x7F ? " " : NULL;
+        return NULL;
     }
 }
 
 void html_text(FILE *file, const char *text)
 {
-    for (const unsigned char *at = (const unsigned char *)text; *at;) {
-        const size_t length = utf8_length(at);
-        const char *escape = length ? escape_of(*at) : UNKNOWN;
+    for (size_t length; *text; text += length) {
+        const enum printable_kind kind = printable_at(text, &length);
+        const char *escape = kind == PRINTABLE ? escape_of(*text) : kind == PRINTABLE_CONTROL ? " " : UNKNOWN;
         if (escape)
             fputs(escape, file);
         else
-            fwrite(at, 1, length, file);
-        at += length ? length : 1;
+            fwrite(text, 1, length, file);
     }
 }
 

@@ -194,7 +194,8 @@ static void say_of_model(struct advice *advice)
             bent, counts->faces);
     for (enum unmapped kind = 0; kind < UNMAPPED_KINDS; kind++)
         if (counts->unmapped[kind])
-            say(advice, "%zu faces %s; they are drawn in one colour.", counts->unmapped[kind], unmapped_words(kind));
+            say(advice, "%zu faces %s; they are drawn in its mean colour.", counts->unmapped[kind],
+                unmapped_words(kind));
 }
 
 static void say_speed(struct advice *advice)

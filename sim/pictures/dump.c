@@ -4,7 +4,7 @@
  * leaves a picture to look at. */
 #include "pictures/dump.h"
 
-#include "base/outputs.h"
+#include "outputs/outputs.h"
 
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 #ifndef SIM_FRAME_FILE_H
 #define SIM_FRAME_FILE_H
 
-#include "base/outputs.h"
+#include "outputs/outputs.h"
 #include "pictures/image.h"
 
 /* A film of one frame into a file. */

@@ -4,6 +4,7 @@
 #include "pictures/hash_list.h"
 
 #include "base/grow.h"
+#include "base/inputs.h"
 #include "pictures/hashes.h"
 
 #include <stdlib.h>
@@ -18,7 +19,8 @@ bool hash_list_parse(struct hash_list *list, struct arguments *arguments, struct
 bool hash_list_open(struct hash_list *list, struct outputs *outputs, struct error *err)
 {
     if (!list->write_path) return true;
-    if (!outputs_spare(outputs, list->check_path, err) || !outputs_spare(outputs, list->loop_path, err)) return false;
+    if (list->check_path) inputs_note_name(list->check_path);
+    if (list->loop_path) inputs_note_name(list->loop_path);
     list->file = outputs_open(outputs, list->write_path, err);
     return list->file != NULL;
 }

@@ -5,7 +5,7 @@
 #define SIM_HASH_LIST_H
 
 #include "base/arguments.h"
-#include "base/outputs.h"
+#include "outputs/outputs.h"
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Sources: PNG (ISO/IEC 15948) 11.2.2; GIF89a, 18 and 20; JPEG (ITU T.81) B.1.1 and B.2.2; BITMAPCOREHEADER and
- * BITMAPINFOHEADER. */
+ * BITMAPINFOHEADER; RFC 9649 (WebP) 2.5 to 2.7, RFC 6386 (VP8) 9.1; ISO/IEC 23008-12 (ImageSpatialExtentsProperty). */
 #include "pictures/picture_size.h"
 
 #include <stdio.h>
@@ -126,16 +126,52 @@ static bool tga_size(const struct bytes *bytes, uint32_t *w_px, uint32_t *h_px)
     return true;
 }
 
+/* VP8, VP8L or VP8X is its first chunk. */
+static bool webp_size(const struct bytes *bytes, uint32_t *w_px, uint32_t *h_px)
+{
+    enum { SIDE = 0x3FFF };
+    if (!has(bytes, 12, 18)) return false;
+    const uint8_t *at = bytes->at, kind = at[15];
+    if (kind == 'X') {
+        *w_px = little(at + 24, 3) + 1;
+        *h_px = little(at + 27, 3) + 1;
+    } else if (kind == 'L') {
+        const uint32_t bits = little(at + 21, 4);
+        *w_px = (bits & SIDE) + 1;
+        *h_px = (bits >> 14 & SIDE) + 1;
+    } else {
+        *w_px = little(at + 26, 2) & SIDE;
+        *h_px = little(at + 28, 2) & SIDE;
+    }
+    return true;
+}
+
+/* The largest of what its images say: tiles and thumbnails are smaller. */
+static bool avif_size(const struct bytes *bytes, uint32_t *w_px, uint32_t *h_px)
+{
+    enum { WORD_B = 4, BODY_B = 12 };
+    *w_px = *h_px = 0;
+    for (size_t at = 0; has(bytes, at, WORD_B + BODY_B); at++) {
+        if (memcmp(bytes->at + at, "ispe", WORD_B) != 0) continue;
+        const uint32_t w = big(bytes->at + at + 8, 4), h = big(bytes->at + at + 12, 4);
+        if (w > *w_px) *w_px = w;
+        if (h > *h_px) *h_px = h;
+    }
+    return true;
+}
+
 bool picture_size(const void *picture, size_t size_b, uint32_t *w_px, uint32_t *h_px)
 {
     static const struct {
+        size_t at_b; /* where the magic is */
         const char *magic;
         bool (*size)(const struct bytes *bytes, uint32_t *w_px, uint32_t *h_px);
-    } formats[] = {{"\x89PNG", png_size}, {"\xFF\xD8\xFF", jpeg_size}, {"GIF8", gif_size}, {"BM", bmp_size}};
+    } formats[] = {{0, "\x89PNG", png_size}, {0, "\xFF\xD8\xFF", jpeg_size}, {0, "GIF8", gif_size},
+                   {0, "BM", bmp_size},      {8, "WEBPVP8", webp_size},      {4, "ftypavif", avif_size}};
     const struct bytes bytes = {picture, size_b};
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         const size_t magic_b = strlen(formats[i].magic);
-        if (size_b >= magic_b && memcmp(picture, formats[i].magic, magic_b) == 0)
+        if (size_b >= formats[i].at_b + magic_b && memcmp(bytes.at + formats[i].at_b, formats[i].magic, magic_b) == 0)
             return formats[i].size(&bytes, w_px, h_px);
     }
     return picture_is_tga(picture, size_b) && tga_size(&bytes, w_px, h_px);

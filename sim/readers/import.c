@@ -7,16 +7,18 @@
 #include "readers/import.h"
 
 #include "base/grow.h"
+#include "base/inputs.h"
 #include "files/companion.h"
-#include "files/inputs.h"
 #include "files/masked_picture.h"
 #include "files/picture.h"
 #include "formats/float_step.h"
 #include "formats/model_limits.h"
 #include "formats/own_formats.h"
+#include "gltf/gltf_plain.h"
 #include "levels/level_import.h"
 #include "levels/level_path.h"
 #include "model/model_colour.h"
+#include "readers/emissive_picture.h"
 #include "readers/import_motion.h"
 #include "readers/model_io.h"
 #include "readers/model_unit.h"
@@ -30,6 +32,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What became of the light that a material emits, if there is a picture in play. */
+enum light_in_picture { LIGHT_NONE, LIGHT_ALONE, LIGHT_DIMMED, LIGHT_LOST, LIGHTS_IN_PICTURES };
+
 struct import {
     const char *path;
     const struct aiScene *scene;
@@ -40,12 +45,18 @@ struct import {
     uint32_t picture, mask;          /* the same; 0: none */
     uint8_t holes;                   /* picture_transparency() of its picture, if that is masked; else 0 */
     struct masked_pictures masked;
-    bool has_sky; /* one of the materials is it */
+    struct emissive_pictures emissive;
+    uint32_t emission;           /* of the mesh being read: model_face.emission */
+    enum light_in_picture light; /* the same */
+    size_t light_faces[LIGHTS_IN_PICTURES];
+    bool has_sky;                   /* one of the materials is it */
+    const struct mtl_material *own; /* what an OBJ file's libraries say of the mesh being read; NULL: nothing */
     unsigned uv_set;
     size_t picture_capacity, point_total;
     struct motions motions;
     uint16_t mover; /* of the node being read: model_face.mover */
     struct vertex_numbers numbers;
+    struct gltf_plain plain;
     struct node_transforms transforms;
     double step_m; /* the largest of those between float32 numbers that vertices came as */
 };
@@ -124,7 +135,7 @@ static bool vertex_of(struct import *import, const struct aiVector3D *v, double 
 static void note_step(struct import *import, const double v[3])
 {
     const double(*m)[4] = (const double(*)[4])import->transform.m;
-    const bool is_double = import->numbers.table.count > 0;
+    const bool is_double = import->numbers.table.count > 0 && !import->plain.is_float32;
     for (int axis = 0; axis < 3; axis++) {
         double step_m = 0;
         for (int i = 0; i < 3 && !is_double; i++)
@@ -164,15 +175,20 @@ static bool set_transparency(struct import *import, double opacity)
     return true;
 }
 
-/* Pictures are named again and again, by each material that shows them. */
-static uint32_t picture_number(struct import *import, const char *name)
+/* Pictures are named again and again, by each material that shows them. One that is seen in several ways beyond its
+ * borders has a number for each. */
+static uint32_t picture_number(struct import *import, const char *name, const uint8_t wrap[2])
 {
     struct model *model = import->model;
     for (size_t i = 0; i < model->picture_count; i++)
-        if (strncmp(model->pictures[i].name, name, TEXTURE_NAME_B - 1) == 0) return (uint32_t)i + 1;
+        if (strcmp(model->pictures[i].name, name) == 0 &&
+            memcmp(model->pictures[i].wrap, wrap, sizeof model->pictures[i].wrap) == 0)
+            return (uint32_t)i + 1;
     model->pictures = grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
-    picture_read(import->scene, name, &model->pictures[model->picture_count]);
-    return (uint32_t)++model->picture_count;
+    struct picture *picture = &model->pictures[model->picture_count++];
+    picture_read(import->scene, name, picture);
+    memcpy(picture->wrap, wrap, sizeof picture->wrap);
+    return (uint32_t)model->picture_count;
 }
 
 /* The picture becomes one with holes, which has a number of its own: others may show it whole. */
@@ -193,9 +209,10 @@ static void take_mask(struct import *import)
     import->mask = 0;
 }
 
-static bool is_sky(const struct aiMaterial *material)
+static bool is_sky(const struct import *import, const struct aiMaterial *material)
 {
     struct aiString name;
+    if (import->own) return pictures_sky() && strcmp(import->own->name, pictures_sky()) == 0;
     return pictures_sky() && aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
            strcmp(name.data, pictures_sky()) == 0;
 }
@@ -216,18 +233,106 @@ static void take_sky(struct import *import)
         import->picture = (uint32_t)++model->picture_count;
 }
 
+/* The picture becomes one of colour and light together. Where the material has no colour but its light, no lamp dims
+ * it.
+ */
+static void add_light_to_picture(struct import *import, const struct emission_of *of)
+{
+    struct model *model = import->model;
+    import->picture = emissive_picture_find(&import->emissive, of);
+    if (!import->picture) {
+        model->pictures =
+            grow(model->pictures, model->picture_count, &import->picture_capacity, sizeof *model->pictures);
+        import->picture =
+            emissive_picture_make(&import->emissive, of, model->pictures, (uint32_t)model->picture_count++);
+    }
+    for (int i = 0; i < 3; i++)
+        import->paint.rgb[i] = 1;
+    import->light = of->colour ? LIGHT_DIMMED : LIGHT_ALONE;
+}
+
+static bool has_pixels(const struct import *import, uint32_t picture)
+{
+    return picture && import->model->pictures[picture - 1].pixels;
+}
+
+/* The picture of the light, and its coordinates, where there is one of the colour as well. false: nothing is to be done
+ * with it. */
+static bool take_light_picture(struct import *import, const struct picture_use *use, struct emission_of *of)
+{
+    const uint32_t number = picture_number(import, use->name.data, use->wrap);
+    if (of->colour_picture &&
+        (use->uv_set != import->uv_set ||
+         memcmp(import->model->pictures[of->colour_picture - 1].wrap, use->wrap, sizeof use->wrap) != 0)) {
+        import->light = LIGHT_LOST;
+        return false;
+    }
+    if (!has_pixels(import, number)) {
+        import->picture = number; /* which says what is wrong with it */
+        return false;
+    }
+    import->uv_set = use->uv_set;
+    of->light_picture = number;
+    return true;
+}
+
+static double sum_of(const double light[3])
+{
+    return light[0] + light[1] + light[2];
+}
+
+/* Of a material that has no colour but its light, the picture of its colour is of use for its holes alone. */
+static void begin_light(struct import *import, struct emission_of *of)
+{
+    const struct picture *picture = import->picture ? &import->model->pictures[import->picture - 1] : NULL;
+    *of = (struct emission_of){.colour = model_paint_colour(&import->paint)};
+    memcpy(of->light, import->paint.light, sizeof of->light);
+    if (!of->colour && picture && picture->pixels && !picture->has_alpha) import->picture = 0;
+    if (has_pixels(import, import->picture)) of->colour_picture = import->picture;
+}
+
+/* What the material emits: a colour of its faces, unless there is a picture to add it to. MTL's map_Ke does without a
+ * Ke. Where pictures are left out, what they would make of the light is not known. */
+static void take_light(struct import *import, const struct aiMaterial *material)
+{
+    struct model_paint *paint = &import->paint;
+    struct picture_use use;
+    struct emission_of of;
+    const bool has_picture = !paint->unlit && picture_of_light(material, &use);
+    if (has_picture && !paint->linear && !(sum_of(paint->light) > 0))
+        for (int i = 0; i < 3; i++)
+            paint->light[i] = 1;
+    if (!(sum_of(paint->light) > 0)) return;
+    begin_light(import, &of);
+    if (import->picture && !has_pixels(import, import->picture) && !pictures_are_left_out()) return;
+    if (has_picture && pictures_are_left_out() && of.colour) return;
+    if (has_picture && !pictures_are_left_out() && !take_light_picture(import, &use, &of)) return;
+    if (of.colour_picture || of.light_picture)
+        add_light_to_picture(import, &of);
+    else
+        import->emission = model_paint_emission(paint);
+}
+
 static void find_pictures(struct import *import, const struct aiMesh *mesh)
 {
+    static const uint8_t repeats[2] = {PICTURE_REPEATS, PICTURE_REPEATS};
+    struct picture_use use;
     struct aiString name;
     import->picture = import->mask = import->holes = 0;
+    import->emission = 0;
+    import->light = LIGHT_NONE;
+    import->own = NULL;
     if (mesh->mMaterialIndex >= import->scene->mNumMaterials) return;
     const struct aiMaterial *material = import->scene->mMaterials[mesh->mMaterialIndex];
-    if (picture_name_of(material, &name, &import->uv_set)) import->picture = picture_number(import, name.data);
-    if (import->picture && is_sky(material)) {
+    import->own = obj_material(&import->numbers.obj, material);
+    if (picture_of_colour(material, &use)) import->picture = picture_number(import, use.name.data, use.wrap);
+    import->uv_set = use.uv_set;
+    if (import->picture && is_sky(import, material)) {
         take_sky(import);
         return;
     }
-    if (picture_mask_of(material, &name)) import->mask = picture_number(import, name.data);
+    take_light(import, material);
+    if (picture_mask_of(material, &name)) import->mask = picture_number(import, name.data, repeats);
     if (!import->mask && import->picture && import->paint.textures_blend &&
         import->model->pictures[import->picture - 1].has_alpha)
         import->mask = import->picture;
@@ -237,9 +342,18 @@ static void find_pictures(struct import *import, const struct aiMesh *mesh)
 }
 
 /* What a file says is no number is not missing. */
-static double said(float number)
+static double said(double number)
 {
-    return isnan(number) ? (double)INFINITY : (double)number;
+    if (number > (PLACE_NONE + PLACE_NO_NUMBER) / 2) return NAN;
+    return isnan(number) || number > PLACE_NO_NUMBER / 2 ? (double)INFINITY : number;
+}
+
+/* The part of its picture that a material shows. */
+static void change_uv(const struct import *import, double uv[2])
+{
+    const struct mtl_map *map = import->own ? mtl_map_of(import->own) : NULL;
+    for (int i = 0; map && i < 2; i++)
+        uv[i] = uv[i] * map->scale[i] + map->offset[i];
 }
 
 /* The library counts v from the bottom. Without coordinates there is nothing to show: NaN says so. */
@@ -253,8 +367,10 @@ static bool add_uvs(struct import *import, const struct aiMesh *mesh, uint32_t f
         import->uv_set < AI_MAX_NUMBER_OF_TEXTURECOORDS ? mesh->mTextureCoords[import->uv_set] : NULL;
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
         double *uv = model->uvs[first_point + i];
-        uv[0] = uvs ? said(uvs[i].x) : NAN;
-        uv[1] = uvs ? 1.0 - said(uvs[i].y) : NAN;
+        uv[0] = uvs ? said((double)uvs[i].x) : NAN;
+        uv[1] = uvs ? said((double)uvs[i].y) : NAN;
+        change_uv(import, uv);
+        uv[1] = 1.0 - uv[1];
     }
     return true;
 }
@@ -274,10 +390,12 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
                                 .colour = colour,
                                 .picture = import->picture,
                                 .two_sided = import->paint.two_sided,
-                                .unlit = import->paint.unlit || is_shown_as_sky(import),
+                                .emission = import->emission,
+                                .unlit = import->paint.unlit || import->light == LIGHT_ALONE || is_shown_as_sky(import),
                                 .mover = import->mover};
     if (face->picture) model->pictures[face->picture - 1].faces++;
     if (import->mask) model->pictures[import->mask - 1].clear_faces++;
+    import->light_faces[import->light]++;
     for (unsigned k = 0; k < from->mNumIndices; k++) {
         uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
         const double *p = model->points[corner];
@@ -327,7 +445,8 @@ static bool read_scene(struct import *import)
 {
     const struct aiNode *root = import->scene->mRootNode;
     if (!root) return error_set(import->err, "%s: there is no scene in it", import->path);
-    return node_transforms_read(import->path, import->scene, &import->transforms, import->err) &&
+    return node_transforms_read(import->path, import->plain.path ? &import->plain.file : NULL, import->scene,
+                                &import->transforms, import->err) &&
            motions_find(import->path, import->scene, &import->transforms, import->model, &import->motions,
                         import->err) &&
            walk(import, root, affine_identity(), 0, count_mesh) && allocate(import) &&
@@ -354,17 +473,21 @@ static bool refuse(const char *path, struct error *err)
     return error_set(err, "%s: %.*s", path, (int)length, reason);
 }
 
-static const struct aiScene *import_file(const char *path, const struct whole_file *file, struct error *err)
+/* library_path: NULL if the library is to take the file for what it is. */
+static const struct aiScene *import_file(const char *path, const char *library_path,
+                                         const struct vertex_numbers *numbers, struct error *err)
 {
     char dropped = false;
     struct aiLogStream log = {.callback = watch_log, .user = &dropped};
-    const struct model_io_instead instead = {path, file->bytes, file->size_b};
+    const char *taken_for = library_path ? library_path : path;
+    const struct model_io_instead instead = {taken_for, numbers->file.bytes, numbers->file.size_b, library_path != NULL,
+                                             &numbers->materials};
     struct aiFileIO io = model_io(&instead);
     struct aiPropertyStore *settings = aiCreatePropertyStore();
     /* Else a file without a mesh would get one made up from its skeleton. */
     aiSetImportPropertyInteger(settings, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     aiAttachLogStream(&log);
-    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, &io, settings);
+    const struct aiScene *scene = aiImportFileExWithProperties(taken_for, 0, &io, settings);
     aiDetachLogStream(&log);
     aiReleasePropertyStore(settings);
     if (scene && !dropped) return scene;
@@ -385,6 +508,31 @@ static bool import_level(const char *path, const struct level_path *level, struc
     return level_import(path, !pictures_are_left_out(), model, err);
 }
 
+/* What the library is to read of a glTF 2.0 file, and what vertices stand for there. */
+static bool take_plain(struct import *import)
+{
+    if (!gltf_plain_make(import->path, &import->plain, import->model, import->err)) return false;
+    if (!import->plain.path) return true;
+    import->numbers.file = import->plain.glb;
+    import->numbers.table = import->plain.table;
+    import->plain.glb = (struct whole_file){0};
+    import->plain.table = (struct vertex_table){0};
+    return true;
+}
+
+static void note_light(const struct import *import)
+{
+    if (import->light_faces[LIGHT_DIMMED])
+        model_note(import->model,
+                   "%zu faces emit light and have a texture: baked light dims both; --unlit shows them undimmed",
+                   import->light_faces[LIGHT_DIMMED]);
+    if (import->light_faces[LIGHT_LOST])
+        model_note(import->model,
+                   "%zu faces are drawn without the light that they emit: its texture has other coordinates than that "
+                   "of their colour",
+                   import->light_faces[LIGHT_LOST]);
+}
+
 static void note_sky(struct model *model, bool has_sky)
 {
     if (pictures_sky() && !pictures_are_left_out() && !has_sky)
@@ -403,16 +551,24 @@ static bool import_by_library(const char *path, struct model *model, struct erro
     if (!model_is_whole(path, err)) return false;
     struct import import = {.path = path, .model = model, .err = err};
     companions_begin(path);
-    if (!vertex_numbers_make(path, &import.numbers, err)) return false;
-    import.scene = import_file(path, &import.numbers.file, err);
+    if (!vertex_numbers_make(path, &import.numbers, err) || !take_plain(&import)) {
+        model_free(model);
+        return false;
+    }
+    import.scene = import_file(path, import.plain.path, &import.numbers, err);
+    if (import.scene) pictures_note(import.scene);
     bool ok = import.scene && read_scene(&import) && !companions_refused(err);
     if (ok) take_unit(&import);
+    if (ok) note_light(&import);
     if (ok) note_sky(model, import.has_sky);
     motions_free(&import.motions);
+    if (ok) obj_tell(&import.numbers.obj, model);
     masked_pictures_free(&import.masked);
+    emissive_pictures_free(&import.emissive);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);
     vertex_numbers_free(&import.numbers);
+    gltf_plain_free(&import.plain);
     if (!ok) model_free(model);
     return ok;
 }
@@ -435,5 +591,6 @@ bool import_model(const char *path, struct model *model, struct error *err)
     if (model->faces_of_many_colours)
         model_note(model, "%zu faces have colours that change over them; each is drawn in their mean",
                    model->faces_of_many_colours);
+    companions_tell(model);
     return true;
 }

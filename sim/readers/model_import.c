@@ -1,14 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
  * model_import(): the importer library runs in a child process with limits on time and memory,
- * because on damaged files it may crash or never come back. The child leaves the model in an
- * unnamed temporary file, which the parent reads once the child has ended well. */
+ * which can do nothing but read (confine.h), because on damaged files it may crash or never come back, or worse. The
+ * child leaves the model in an unnamed temporary file, which the parent reads once the child has ended well, and the
+ * names of what it has opened in another one, which is read however it has ended. */
 #include "readers/model_import.h"
 
 #include "base/child.h"
 #include "base/ending.h"
+#include "base/inputs.h"
+#include "base/names.h"
 #include "base/progress.h"
 #include "levels/level_path.h"
+#include "readers/confine.h"
 #include "readers/import.h"
 
 #include <errno.h>
@@ -103,13 +107,15 @@ static bool write_result(FILE *out, const struct result *result, const struct mo
     return written && fflush(out) == 0;
 }
 
-_Noreturn static void run_child(const char *path, rlim_t file_b, FILE *out)
+_Noreturn static void run_child(const char *path, rlim_t file_b, FILE *read, FILE *out)
 {
     struct model model;
     struct result result;
     memset(&result, 0, sizeof result); /* padding too: it goes to the file */
     limit_child(file_b);
+    inputs_send_to(fileno(read));
     if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(EXIT_FAILURE);
+    confine_to_reading();
     result.ok = import_model(path, &model, &result.err);
     result.point_count = model.point_count;
     result.corner_count = model.corner_count;
@@ -181,16 +187,27 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     return error_set(err, "%s: not enough memory", path);
 }
 
-static bool wait_for_child(const char *path, pid_t child, rlim_t file_b, struct error *err)
+/* What it crashes at may be another file than the model: `last` is the one that the child opened last, or NULL. */
+static bool has_failed(const char *path, const char *last, const char *how, struct error *err)
+{
+    if (!last || strcmp(last, path) == 0) return error_set(err, "%s: the importer cannot read it (%s)", path, how);
+    return error_set(err, "%s: the importer cannot read it (%s); the last that it opened is %s", path, how,
+                     name_end(last).text);
+}
+
+static bool wait_for_child(const char *path, pid_t child, rlim_t file_b, FILE *read, struct error *err)
 {
     int status = 0;
-    if (!child_wait(child, "the importer was still reading", &status, err)) return error_prefix(err, path);
+    const size_t before = inputs_count();
+    const bool has_ended = child_wait(child, "the importer was still reading", &status, err);
+    inputs_receive(read);
+    if (!has_ended) return error_prefix(err, path);
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) return true;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
         return error_set(err, "%s: damaged, truncated or too much: the importer finds no end in it (%lu s)", path,
                          (unsigned long)cpu_limit_s(file_b));
     const char *how = WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "out of memory or disk space";
-    return error_set(err, "%s: the importer cannot read it (%s)", path, how);
+    return has_failed(path, inputs_count() > before ? inputs_path(inputs_count() - 1) : NULL, how, err);
 }
 
 /* The child says what is wrong with a file. */
@@ -213,19 +230,27 @@ static rlim_t input_size(const char *path)
     return size_b;
 }
 
-bool model_import(const char *path, struct model *model, struct error *err)
+/* `read` gets the names of the files that the child opens, `out` the model. */
+static bool import_in_child(const char *path, FILE *read, FILE *out, struct model *model, struct error *err)
 {
     const rlim_t size_b = input_size(path);
-    *model = (struct model){0};
-    FILE *exchange = tmpfile();
-    if (!exchange) return error_set(err, "%s: no temporary file: %s", path, strerror(errno));
     progress("reading %s", path);
     pid_t child = ending_fork();
-    if (child == 0) run_child(path, size_b, exchange);
-    bool ok = child > 0 ? wait_for_child(path, child, size_b, err)
+    if (child == 0) run_child(path, size_b, read, out);
+    bool ok = child > 0 ? wait_for_child(path, child, size_b, read, err)
                         : error_set(err, "%s: no process for the importer: %s", path, strerror(errno));
-    ok = ok && read_result(path, exchange, model, err);
+    ok = ok && read_result(path, out, model, err);
     progress_end();
-    fclose(exchange);
+    return ok;
+}
+
+bool model_import(const char *path, struct model *model, struct error *err)
+{
+    *model = (struct model){0};
+    FILE *read = tmpfile(), *out = tmpfile();
+    const bool ok = read && out ? import_in_child(path, read, out, model, err)
+                                : error_set(err, "%s: no temporary file: %s", path, strerror(errno));
+    if (read) fclose(read);
+    if (out) fclose(out);
     return ok;
 }

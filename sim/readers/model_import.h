@@ -17,9 +17,9 @@
  * by mesh of the node, then by face of the mesh. A mirroring transform turns its faces round.
  *
  * OBJ colours are taken as sRGB. Base colours of physically based materials (glTF) are linear
- * light, as that format says, and become sRGB here. Of the textures the one
- * of the colour is read, as opaque (picture.clear_faces); it repeats, whatever the file says. One that cannot be read
- * is no error.
+ * light, as that format says, and become sRGB here. Of the textures those of the colour and of the emission are read,
+ * as opaque (picture.clear_faces); picture.wrap says what is seen beyond their borders. One that cannot be read is no
+ * error.
  *
  * Opacity is MTL's `d` (or 1 - `Tr`); glTF's base colour's and vertex colours' alpha where alphaMode is BLEND, all or
  * nothing where it is MASK, and nothing where it is OPAQUE.

@@ -4,10 +4,10 @@
  * handle, our own record and the bytes; closing the handle frees it. */
 #include "readers/model_io.h"
 
+#include "base/inputs.h"
 #include "files/companion.h"
-#include "files/inputs.h"
 #include "files/whole_file.h"
-#include "readers/model_whole.h"
+#include "readers/obj.h"
 
 #include <stdint.h>
 #include <stdio.h>
@@ -73,13 +73,12 @@ static struct model_file *read_whole(FILE *stream, size_t size_b)
     return file;
 }
 
-static struct model_file *copy_of(const struct model_io_instead *instead)
+static struct model_file *copy_of(const char *bytes, size_t size_b)
 {
-    struct model_file *file = calloc(1, sizeof *file + instead->size_b);
+    struct model_file *file = calloc(1, sizeof *file + size_b);
     if (!file) return NULL;
-    file->size_b = instead->size_b;
-    inputs_note(instead->path);
-    memcpy(file->bytes, instead->bytes, instead->size_b);
+    file->size_b = size_b;
+    memcpy(file->bytes, bytes, size_b);
     return file;
 }
 
@@ -94,18 +93,21 @@ static struct model_file *read_path(const char *path)
     return file;
 }
 
+static struct model_file *open_any(const struct model_io_instead *instead, const char *path)
+{
+    const struct whole_file *materials = instead->materials;
+    if (path_has_suffix(path, OBJ_MATERIALS)) return copy_of(materials->bytes, materials->size_b);
+    if (!instead->bytes || strcmp(path, instead->path) != 0) return read_path(path);
+    inputs_note(path);
+    return copy_of(instead->bytes, instead->size_b);
+}
+
 static struct aiFile *file_open(struct aiFileIO *io, const char *path, const char *mode)
 {
     const struct model_io_instead *instead = (const struct model_io_instead *)(const void *)io->UserData;
     if (mode[0] != 'r') return NULL;
-    struct model_file *file = instead->bytes && strcmp(path, instead->path) == 0 ? copy_of(instead) : read_path(path);
+    struct model_file *file = open_any(instead, path);
     if (!file) return NULL;
-    struct error refusal;
-    if (path_has_suffix(path, ".mtl") && !model_text_fits(path, file->bytes, file->size_b, &refusal)) {
-        companions_refuse(&refusal);
-        free(file);
-        return NULL;
-    }
     file->handle = (struct aiFile){.ReadProc = file_read,
                                    .WriteProc = file_write,
                                    .TellProc = file_tell,

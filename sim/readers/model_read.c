@@ -4,7 +4,9 @@
 #include "files/whole_file.h"
 #include "levels/level_path.h"
 #include "model/flat_texture.h"
+#include "model/texture_wrap.h"
 #include "readers/model_import.h"
+#include "readers/source.h"
 
 /* Which way up formats are, that assimp hands over as they are, but for those of 3ds Max. */
 static const struct {
@@ -25,7 +27,13 @@ static enum up_custom custom_of(const char *path)
 bool model_read(const char *path, const struct orientation *orientation, struct model *model, struct error *err)
 {
     if (!model_import(path, model, err)) return false;
-    flat_texture_find(model);
     orientation_apply(orientation, custom_of(path), model);
+    bool known;
+    if (texture_wrap_cuts(model) && !source_find(path, model, &known, err)) {
+        model_free(model);
+        return false;
+    }
+    texture_wrap_apply(model);
+    flat_texture_find(model);
     return true;
 }

@@ -21,15 +21,25 @@ bool model_text_fits(const char *path, const char *text, size_t size_b, struct e
     return longest_b <= LONGEST_LINE_B || error_set(err, "%s: a line is longer than %d bytes", path, LONGEST_LINE_B);
 }
 
+/* Corners may end with the / behind which numbers are missing, if all do. */
+static bool ends_as_first_word(const char *line)
+{
+    const char *first = line + strcspn(line, " \t");
+    first += strspn(first, " \t");
+    const size_t length = strcspn(first, " \t");
+    return length && first[length - 1] == line[strlen(line) - 1];
+}
+
 /* Words of a line after its first; 0 if the last of them cannot be whole. */
 static size_t words_after(const char *line)
 {
     size_t count = 0;
+    const char end = line[strlen(line) - 1];
     for (const char *at = line + strcspn(line, " \t"); at[strspn(at, " \t")]; count++) {
         at += strspn(at, " \t");
         at += strcspn(at, " \t");
     }
-    return strchr("/+-.eE", line[strlen(line) - 1]) ? 0 : count;
+    return strchr("+-.eE", end) || (end == '/' && !ends_as_first_word(line)) ? 0 : count;
 }
 
 /* The last line alone can show it: if it has no end, and fewer numbers than a vertex or a face needs. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/motion_gltf.h"
 
-#include "readers/gltf_file.h"
-#include "readers/gltf_numbers.h"
+#include "gltf/gltf_file.h"
+#include "gltf/gltf_numbers.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,6 @@
 #include "readers/node_transforms.h"
 
 #include "base/grow.h"
-#include "readers/gltf_file.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -48,7 +47,7 @@ void node_transform_rotate(const double turn[4], struct node_transform *out)
     }
 }
 
-static struct node_transform of_file(const json_t *node)
+struct node_transform node_transform_of_file(const json_t *node)
 {
     struct node_transform out = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
     double matrix[16], quaternion[4], scale[3] = {1, 1, 1}, at[3] = {0, 0, 0};
@@ -83,7 +82,7 @@ static bool pair_all(struct pairing *work, struct aiNode *const *nodes, unsigned
 
 static bool pair(struct pairing *work, const struct aiNode *node, const json_t *own, size_t number)
 {
-    const struct node_transform library = of_library(&node->mTransformation), file = of_file(own);
+    const struct node_transform library = of_library(&node->mTransformation), file = node_transform_of_file(own);
     if (!agrees(&file, &library))
         return error_set(work->err, "%s: node '%s': its transform is beyond float32, or not a transform", work->path,
                          node->mName.data);
@@ -116,17 +115,13 @@ static bool pair_tree(struct pairing *work, struct aiNode *root)
     return pair_all(work, root->mChildren, root->mNumChildren, indices);
 }
 
-bool node_transforms_read(const char *path, const struct aiScene *scene, struct node_transforms *out, struct error *err)
+bool node_transforms_read(const char *path, const struct gltf_file *file, const struct aiScene *scene,
+                          struct node_transforms *out, struct error *err)
 {
-    struct gltf_file file;
+    struct pairing work = {path, file, out, err};
     *out = (struct node_transforms){0};
-    if (!gltf_is_named(path) || !scene->mRootNode) return true;
-    if (!gltf_file_read(path, &file, err)) return false;
-    struct pairing work = {path, &file, out, err};
-    out->are_double = gltf_file_is_2(&file);
-    const bool ok = !out->are_double || pair_tree(&work, scene->mRootNode);
-    gltf_file_free(&file);
-    return ok;
+    out->are_double = file != NULL;
+    return !file || !scene->mRootNode || pair_tree(&work, scene->mRootNode);
 }
 
 struct node_transform node_transform_of(const struct node_transforms *transforms, const struct aiNode *node)

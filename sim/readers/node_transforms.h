@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/map.h"
+#include "gltf/gltf_file.h"
 
 #include <assimp/scene.h>
 
@@ -31,10 +32,13 @@ struct node_transforms {
 
 struct node_transform node_transform_times(const struct node_transform *a, const struct node_transform *b);
 
-/* Pairs the file's nodes with the library's. Refuses, naming the node, a file of which the library made another tree,
- * or transforms that are not the file's as near as float32 can be. */
-bool node_transforms_read(const char *path, const struct aiScene *scene, struct node_transforms *out,
-                          struct error *err);
+/* Of a node of a glTF 2.0 file. */
+struct node_transform node_transform_of_file(const json_t *node);
+
+/* Pairs the file's nodes (NULL: it is none of glTF 2.0) with the library's. Refuses, naming the node, a file of which
+ * the library made another tree, or transforms that are not the file's as near as float32 can be. */
+bool node_transforms_read(const char *path, const struct gltf_file *file, const struct aiScene *scene,
+                          struct node_transforms *out, struct error *err);
 
 struct node_transform node_transform_of(const struct node_transforms *transforms, const struct aiNode *node);
 

@@ -1,118 +1,211 @@
 /* SPDX-License-Identifier: MIT
  *
- * Wavefront OBJ. Vertices are `v x y z`, with a divisor or with a colour behind; all else is copied, but for objects
- * and groups, which are left out (vertex_numbers.h says why), and blanks before a line's first word, with which the
- * library would overlook the line. */
+ * Wavefront OBJ. Vertices are `v x y z`, with a weight or with a colour behind. What is written has vertices, texture
+ * coordinates, faces and their materials; all else means nothing here, or is counted. Source: Wavefront, Advanced
+ * Visualizer manual, appendix B. */
 #include "readers/numbering.h"
 
-#include <stdlib.h>
+#include "readers/obj.h"
+#include "readers/obj_lines.h"
+
+#include <math.h>
 #include <string.h>
 
-enum { MOST_NUMBERS = 6 };
+enum { MOST_NUMBERS = 7, WEIGHTED = 4, COLOURED = 6, WITH_ALPHA = 7 };
 
-/* A line's length in the file, its ends and those of the lines that it is continued on left in. */
-static size_t line_length(const struct numbering *work)
-{
-    const char *at = work->at;
-    while (at < work->end && !is_line_end(*at))
-        if (*at == '\\' && at + 1 < work->end && is_line_end(at[1]))
-            at += at[1] == '\r' && at + 2 < work->end && at[2] == '\n' ? 3 : 2;
-        else
-            at++;
-    return (size_t)(at - work->at);
-}
+struct pass {
+    struct numbering *work;
+    struct obj_lines lines;
+    struct word material; /* what the last usemtl named, if no library defines it; in `name` */
+    char name[256];
+};
 
-/* The line without its continuations, a 0 behind it. */
-static char *joined(const char *text, size_t length, size_t *joined_length)
+typedef bool statement(struct pass *pass);
+
+/* Vertices --------------------------------------------------------------------------------------------------------- */
+
+static bool write_colour(struct pass *pass, const struct word *words)
 {
-    char *line = malloc(length + 1);
-    *joined_length = 0;
-    if (!line) return NULL;
-    for (size_t i = 0; i < length; i++) {
-        const bool continues = text[i] == '\\' && i + 1 < length && is_line_end(text[i + 1]);
-        if (continues)
-            i += text[i + 1] == '\r' && i + 2 < length && text[i + 2] == '\n' ? 2 : 1;
-        else
-            line[(*joined_length)++] = text[i];
+    struct numbering *work = pass->work;
+    for (int i = 0; i < 3; i++) {
+        double value = work->obj->full_colour; /* white: what has no colour of its own has its material's */
+        if (words && !numbering_parse(work, &words[i], &value)) return false;
+        numbering_print(work, " %.9g", value / work->obj->full_colour);
     }
-    line[*joined_length] = '\0';
-    return line;
+    return true;
 }
 
-static bool write_vertex(struct numbering *work, const struct word *words, size_t count)
+static bool count_weight(struct pass *pass, const struct word *word)
 {
-    double point[3], divisor = 1;
+    double weight;
+    if (!numbering_parse(pass->work, word, &weight)) return false;
+    pass->work->obj->weights += weight != 1;
+    return true;
+}
+
+static bool number_vertex(struct pass *pass)
+{
+    struct numbering *work = pass->work;
+    struct word words[MOST_NUMBERS];
+    double point[3];
+    const size_t count = obj_lines_words(&pass->lines, words, MOST_NUMBERS);
+    if (count != 3 && count != WEIGHTED && count != COLOURED && count != WITH_ALPHA)
+        return error_set(work->err,
+                         "%s:%zu: a vertex of %zu numbers; it has three, a weight behind them or a colour of three",
+                         work->path, work->line, count);
     for (int i = 0; i < 3; i++)
         if (!numbering_parse(work, &words[i], &point[i])) return false;
-    if (count == 4 && !numbering_parse(work, &words[3], &divisor)) return false;
-    if (divisor == 0) return error_set(work->err, "%s:%zu: a vertex is divided by 0", work->path, work->line);
-    for (int i = 0; count == 4 && i < 3; i++)
-        point[i] /= divisor;
     numbering_write(work, "v ", 2);
     if (!numbering_vertex(work, point)) return false;
-    for (size_t i = 3; count == 6 && i < 6; i++) {
-        double colour;
-        if (!numbering_parse(work, &words[i], &colour)) return false;
-        numbering_word(work, &words[i]);
-    }
-    return true;
+    if (count == WEIGHTED && !count_weight(pass, &words[3])) return false;
+    return !work->obj->has_colours || write_colour(pass, count >= COLOURED ? words + 3 : NULL);
 }
 
-static bool write_texture_place(struct numbering *work, const struct word *words, size_t count)
+static bool is_no_number(const struct word *word)
 {
-    numbering_write(work, "vt", 2);
-    for (size_t i = 0; i < count && i < 3; i++)
-        numbering_word(work, &words[i]);
-    return true;
+    const size_t sign = word->text[0] == '-' || word->text[0] == '+';
+    const struct word bare = {word->text + sign, word->length - sign};
+    return word_is(&bare, "nan") || word_is(&bare, "inf") || word_is(&bare, "infinity") || word_is(&bare, "1.#qnan") ||
+           word_is(&bare, "1.#ind");
 }
 
-static bool number_words(struct numbering *work, const char *line, size_t length)
+/* Of a third number, of textures in space, there is no use. */
+static bool number_place(struct pass *pass)
 {
-    struct word words[MOST_NUMBERS + 1];
-    const size_t count = words_of(line, line + length, words, MOST_NUMBERS + 1) - 1;
-    if (words[0].length == 2) return write_texture_place(work, words + 1, count);
-    if (count != 3 && count != 4 && count != 6)
-        return error_set(work->err,
-                         "%s:%zu: a vertex of %zu numbers; it has three, a divisor behind them or a colour of three",
-                         work->path, work->line, count);
-    return write_vertex(work, words + 1, count);
-}
-
-static bool is_word(const struct numbering *work, const char *word)
-{
-    const size_t length = strlen(word), left = (size_t)(work->end - work->at);
-    return left > length && memcmp(work->at, word, length) == 0 && is_blank(work->at[length]);
-}
-
-static bool number_line(struct numbering *work)
-{
-    const size_t length = line_length(work);
-    if (length > 0 && (*work->at == 'o' || *work->at == 'g')) {
-        numbering_skip(work, length);
-    } else if (is_word(work, "v") || is_word(work, "vt")) {
-        size_t joined_length;
-        char *line = joined(work->at, length, &joined_length);
-        const bool ok =
-            line ? number_words(work, line, joined_length) : error_set(work->err, "%s: not enough memory", work->path);
-        free(line);
-        if (!ok) return false;
-        numbering_skip(work, length);
-    } else {
-        numbering_copy(work, length);
-    }
-    while (work->at < work->end && is_line_end(*work->at))
-        numbering_skip(work, 1);
-    numbering_write(work, "\n", 1);
-    return true;
-}
-
-bool number_obj(struct numbering *work)
-{
-    while (work->at < work->end) {
-        if (is_blank(*work->at) || is_line_end(*work->at))
-            numbering_skip(work, 1);
-        else if (!number_line(work))
+    struct numbering *work = pass->work;
+    struct word words[2];
+    double uv[2] = {0, 0};
+    const size_t count = obj_lines_words(&pass->lines, words, 2);
+    for (size_t i = 0; i < 2 && i < count; i++)
+        if (is_no_number(&words[i]))
+            uv[i] = PLACE_NO_NUMBER;
+        else if (!numbering_parse(work, &words[i], &uv[i]))
             return false;
-    }
+    work->place_count++;
+    numbering_print(work, "vt %.9g %.9g", uv[0], uv[1]);
     return true;
+}
+
+/* Faces ------------------------------------------------------------------------------------------------------------ */
+
+static bool number_corners(struct pass *pass)
+{
+    if (pass->material.text) names_add(&pass->work->obj->unknown, pass->material.text, pass->material.length);
+    return number_face(pass->work, pass->lines.rest);
+}
+
+static bool number_material(struct pass *pass)
+{
+    const struct word name = obj_lines_name(&pass->lines);
+    const struct obj *obj = pass->work->obj;
+    const size_t number = obj_number_of(obj, obj_find(obj, name));
+    const size_t length = name.length < sizeof pass->name ? name.length : sizeof pass->name;
+    memcpy(pass->name, name.text, length);
+    pass->material = (struct word){number ? NULL : pass->name, length};
+    if (number)
+        numbering_print(pass->work, "usemtl %zu", number);
+    else
+        numbering_print(pass->work, "usemtl %s", OBJ_NO_MATERIAL);
+    return true;
+}
+
+/* Others ----------------------------------------------------------------------------------------------------------- */
+
+/* How files are divided, or curves described; normals, as each face has its own; libraries, which are read already. */
+static bool pass_over(struct pass *pass)
+{
+    (void)pass;
+    return true;
+}
+
+static bool count_curve(struct pass *pass)
+{
+    pass->work->obj->curves++;
+    return true;
+}
+
+static bool count_line(struct pass *pass)
+{
+    pass->work->obj->lines++;
+    return true;
+}
+
+static bool leave_out(struct pass *pass)
+{
+    names_add(&pass->work->obj->left_out, pass->lines.statement.text, pass->lines.statement.length);
+    return true;
+}
+
+static const struct {
+    const char *word;
+    statement *take;
+} STATEMENTS[] = {{"v", number_vertex},
+                  {"vt", number_place},
+                  {"f", number_corners},
+                  {"fo", number_corners},
+                  {"usemtl", number_material},
+                  {"vn", pass_over},
+                  {"g", pass_over},
+                  {"o", pass_over},
+                  {"s", pass_over},
+                  {"mg", pass_over},
+                  {"mtllib", pass_over},
+                  {"l", count_line},
+                  {"p", count_line},
+                  {"curv", count_curve},
+                  {"curv2", count_curve},
+                  {"surf", count_curve},
+                  {"bsp", count_curve},
+                  {"bzp", count_curve},
+                  {"cdc", count_curve},
+                  {"cdp", count_curve},
+                  {"res", pass_over},
+                  {"vp", pass_over},
+                  {"cstype", pass_over},
+                  {"deg", pass_over},
+                  {"bmat", pass_over},
+                  {"step", pass_over},
+                  {"parm", pass_over},
+                  {"trim", pass_over},
+                  {"hole", pass_over},
+                  {"scrv", pass_over},
+                  {"sp", pass_over},
+                  {"con", pass_over},
+                  {"end", pass_over},
+                  {"bevel", pass_over},
+                  {"c_interp", pass_over},
+                  {"d_interp", pass_over},
+                  {"lod", pass_over},
+                  {"shadow_obj", pass_over},
+                  {"trace_obj", pass_over},
+                  {"ctech", pass_over},
+                  {"stech", pass_over}};
+
+static bool number_line(struct pass *pass)
+{
+    for (size_t i = 0; i < sizeof STATEMENTS / sizeof *STATEMENTS; i++)
+        if (word_is(&pass->lines.statement, STATEMENTS[i].word)) return STATEMENTS[i].take(pass);
+    return leave_out(pass);
+}
+
+/* Faces before the first usemtl would get its material. */
+static void begin(struct numbering *work)
+{
+    if (work->obj->mtl.count) numbering_print(work, "mtllib %s\n", OBJ_MATERIALS);
+    numbering_print(work, "usemtl %s\n", OBJ_NO_MATERIAL);
+    if (work->obj->place_count) numbering_print(work, "vt %.9g %.9g\n", PLACE_NONE, PLACE_NONE);
+}
+
+bool number_obj(struct numbering *work, const char *bytes, size_t size_b)
+{
+    struct pass pass = {.work = work};
+    bool ok = true;
+    begin(work);
+    for (obj_lines_begin(&pass.lines, bytes, size_b); ok && obj_lines_next(&pass.lines);) {
+        work->line = pass.lines.number;
+        ok = number_line(&pass);
+        numbering_write(work, "\n", 1);
+    }
+    obj_lines_free(&pass.lines);
+    return ok;
 }

@@ -3,6 +3,7 @@
 
 #include "files/decimal.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,16 +23,14 @@ void numbering_write(struct numbering *work, const char *bytes, size_t size_b)
     work->out_b += size_b;
 }
 
-void numbering_skip(struct numbering *work, size_t count)
+void numbering_print(struct numbering *work, const char *format, ...)
 {
-    for (const char *end = work->at + count; work->at < end; work->at++)
-        work->line += *work->at == '\n' || (*work->at == '\r' && work->at[1] != '\n');
-}
-
-void numbering_copy(struct numbering *work, size_t count)
-{
-    numbering_write(work, work->at, count);
-    numbering_skip(work, count);
+    char text[128];
+    va_list arguments;
+    va_start(arguments, format);
+    const int length = vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    numbering_write(work, text, (size_t)length);
 }
 
 bool numbering_parse(struct numbering *work, const struct word *word, double *value)
@@ -44,18 +43,10 @@ bool numbering_parse(struct numbering *work, const struct word *word, double *va
 
 bool numbering_vertex(struct numbering *work, const double point[3])
 {
-    char text[40];
     unsigned stand_in[3];
     if (work->table.count == VERTEX_TABLE_MOST)
         return error_set(work->err, "%s: more than %d vertices", work->path, VERTEX_TABLE_MOST);
     vertex_table_add(&work->table, point, stand_in);
-    const int length = snprintf(text, sizeof text, "%u %u %u", stand_in[0], stand_in[1], stand_in[2]);
-    numbering_write(work, text, (size_t)length);
+    numbering_print(work, "%u %u %u", stand_in[0], stand_in[1], stand_in[2]);
     return true;
-}
-
-void numbering_word(struct numbering *work, const struct word *word)
-{
-    numbering_write(work, " 0", word->text[0] == '.' ? 2 : 1);
-    numbering_write(work, word->text, word->length);
 }

@@ -1,30 +1,31 @@
 /* SPDX-License-Identifier: MIT
  *
- * A text read line by line or word by word, and its copy, written with stand-ins for vertices (vertex_table.h). */
+ * An OBJ text written anew for the importer library: with stand-ins for vertices (vertex_table.h), plain faces, and
+ * materials by number (obj.h). */
 #ifndef SIM_NUMBERING_H
 #define SIM_NUMBERING_H
 
 #include "base/error.h"
 #include "files/words.h"
-#include "readers/vertex_table.h"
+#include "gltf/vertex_table.h"
 
 #include <stddef.h>
 
+struct obj;
+
 struct numbering {
     const char *path; /* for errors */
-    const char *at, *end;
-    size_t line; /* of `at`, from 1 */
-    char *out;   /* owned by whoever began */
+    size_t line;      /* of what is being read, from 1 */
+    char *out;        /* owned by whoever began */
     size_t out_b, out_capacity;
     struct vertex_table table;
+    size_t place_count; /* of texture coordinates so far */
+    struct obj *obj;
     struct error *err;
 };
 
 void numbering_write(struct numbering *work, const char *bytes, size_t size_b);
-
-/* Takes the next `count` characters, which it writes or leaves out, and counts lines. */
-void numbering_copy(struct numbering *work, size_t count);
-void numbering_skip(struct numbering *work, size_t count);
+void numbering_print(struct numbering *work, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* An error that names the line, unless the word is a decimal number. */
 bool numbering_parse(struct numbering *work, const struct word *word, double *value);
@@ -32,12 +33,11 @@ bool numbering_parse(struct numbering *work, const struct word *word, double *va
 /* Enters a vertex and writes "a b c" for it. */
 bool numbering_vertex(struct numbering *work, const double point[3]);
 
-/* Writes a blank and the word; one that begins with its point gets a 0 in front, for libraries that would overlook it.
- */
-void numbering_word(struct numbering *work, const struct word *word);
+/* Returns false with an error, or true; then `out` is what the library is to read of the text, which obj_survey() has
+ * seen. If `table` is empty there is nothing to be gained. */
+bool number_obj(struct numbering *work, const char *bytes, size_t size_b);
 
-/* Returns false with an error, or true; then `out` is what the library is to read. If `table` is empty there is nothing
- * to be gained. */
-bool number_obj(struct numbering *work);
+/* Writes an f statement, of words behind it. */
+bool number_face(struct numbering *work, const char *corners);
 
 #endif

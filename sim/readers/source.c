@@ -83,11 +83,6 @@ static bool place_points(const char *path, struct source *source, const struct m
     return true;
 }
 
-static void note_shared(struct model *model)
-{
-    model_note(model, "the reference has the importer's vertices: it has no reader of its own for this file");
-}
-
 static void take_motion(struct source *source, struct model *model)
 {
     if (!source->motion.count || !model->mover_count) return;
@@ -96,13 +91,15 @@ static void take_motion(struct source *source, struct model *model)
     source->motion = (struct source_motion){0};
 }
 
-bool source_take(const char *path, struct model *model, struct error *err)
+bool source_find(const char *path, struct model *model, bool *known, struct error *err)
 {
     struct source source = {0};
-    if (model->source_points) return true;
+    *known = !model->has_no_source;
+    if (model->source_points || model->has_no_source) return true;
     const enum source_result result = read_any(path, &source, err);
     bool ok = result != SOURCE_BAD;
-    if (result == SOURCE_UNKNOWN) note_shared(model);
+    *known = result != SOURCE_UNKNOWN;
+    model->has_no_source = !*known;
     if (result == SOURCE_READ) {
         double(*points)[3] = grow_zeroed(model->point_count, sizeof *points);
         memcpy(points, model->points, model->point_count * sizeof *points);
@@ -115,6 +112,15 @@ bool source_take(const char *path, struct model *model, struct error *err)
     }
     source_free(&source);
     return ok;
+}
+
+bool source_take(const char *path, struct model *model, struct error *err)
+{
+    bool known;
+    if (!source_find(path, model, &known, err)) return false;
+    if (!known)
+        model_note(model, "the reference has the importer's vertices: it has no reader of its own for this file");
+    return true;
 }
 
 struct model source_view(const struct model *model)

@@ -34,9 +34,13 @@ enum source_result source_stl_read(const char *path, struct source *source, stru
 enum source_result source_gltf_read(const char *path, struct source *source, struct error *err);
 
 /* Sets model->source_points, and model->source_motion where the file has animations that are read, of a model that was
- * imported from `path`, unless they are set. An error says where the two readers disagree: on how many faces there are,
- * on a face's corners, or on where one is, by more than rounding. Where there is no reader for the format,
- * model->notice says that the reference has the importer's points. */
+ * imported from `path`, or model->has_no_source, unless they are set; *known: whether there is a reader for the format.
+ * An error says where the two readers disagree: on how many faces there are, on a face's corners, or on where one is,
+ * by more than rounding. Whoever cuts faces asks for it before. */
+bool source_find(const char *path, struct model *model, bool *known, struct error *err);
+
+/* The same; where there is no reader for the format, model->notice says that the reference has the importer's points.
+ */
 bool source_take(const char *path, struct model *model, struct error *err);
 
 /* The model as the reference is to see it: the same arrays, other points. Not to be freed. */

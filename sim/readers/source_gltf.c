@@ -4,9 +4,9 @@
  * up through one node after the other, which is other arithmetic than the product of their matrices. */
 #include "readers/source.h"
 
-#include "readers/gltf_file.h"
-#include "readers/gltf_numbers.h"
+#include "gltf/gltf_file.h"
 #include "readers/source_gltf_motion.h"
+#include "readers/source_gltf_numbers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -109,7 +109,7 @@ static bool is_mirrored(struct source *source, const struct place *place)
 /* Faces -------------------------------------------------------------------------------------- */
 
 struct triangles {
-    struct gltf_array points, indices; /* indices.values == NULL: corners are the points in their order */
+    struct source_numbers points, indices; /* indices.values == NULL: corners are the points in their order */
     const struct place *place;
     bool mirrored;
 };
@@ -152,14 +152,74 @@ static bool add_primitive(struct reading *work, const json_t *primitive, const s
         return cannot_read(work);
     if (!gltf_index(json_object_get(primitive, "attributes"), "POSITION", &points)) return true;
     const bool has_indices = gltf_index(primitive, "indices", &indices);
-    bool ok = gltf_array_read(work->file, &work->buffers, points, 3, &triangles.points) &&
-              (!has_indices || gltf_array_read(work->file, &work->buffers, indices, 1, &triangles.indices));
+    bool ok = source_numbers_read(work->file, &work->buffers, points, 3, &triangles.points) &&
+              (!has_indices || source_numbers_read(work->file, &work->buffers, indices, 1, &triangles.indices));
     if (!ok)
         fail(work, "the reference's reader finds an accessor that leads out of its buffer");
     else
         ok = add_triangles(work, &triangles, mode);
-    free(triangles.points.values);
-    free(triangles.indices.values);
+    source_numbers_free(&triangles.points);
+    source_numbers_free(&triangles.indices);
+    return ok;
+}
+
+static bool add_mesh(struct reading *work, size_t mesh, const struct place *place)
+{
+    const json_t *primitives = json_object_get(gltf_element(work->file, "meshes", mesh), "primitives");
+    for (size_t k = 0; k < json_array_size(primitives); k++)
+        if (!add_primitive(work, json_array_get(primitives, k), place)) return false;
+    return true;
+}
+
+/* Instances ---------------------------------------------------------------------------------- */
+
+/* What moves them, in the order of GPU instancing's text. */
+enum { AT, TURN, SCALE, INSTANCE_PARTS };
+
+static const json_t *instances_of(const json_t *node)
+{
+    const json_t *extensions = json_object_get(node, "extensions");
+    return json_object_get(json_object_get(extensions, "EXT_mesh_gpu_instancing"), "attributes");
+}
+
+/* A node that has the place of instance i. */
+static json_t *instance_node(const struct source_numbers parts[INSTANCE_PARTS], size_t i)
+{
+    const double *at = parts[AT].values, *scale = parts[SCALE].values, *turns = parts[TURN].values;
+    json_t *node = json_object();
+    if (at) json_object_set_new(node, "translation", json_pack("[f,f,f]", at[3 * i], at[3 * i + 1], at[3 * i + 2]));
+    if (scale)
+        json_object_set_new(node, "scale", json_pack("[f,f,f]", scale[3 * i], scale[3 * i + 1], scale[3 * i + 2]));
+    if (turns) {
+        const double *q = &turns[4 * i], length = hypot(hypot(q[0], q[1]), hypot(q[2], q[3]));
+        json_object_set_new(node, "rotation",
+                            json_pack("[f,f,f,f]", q[0] / length, q[1] / length, q[2] / length, q[3] / length));
+    }
+    return node;
+}
+
+static bool add_instances(struct reading *work, const json_t *attributes, size_t mesh, const struct place *below)
+{
+    static const char *const names[INSTANCE_PARTS] = {"TRANSLATION", "ROTATION", "SCALE"};
+    struct source_numbers parts[INSTANCE_PARTS] = {{0}};
+    size_t accessor, count = 1;
+    bool ok = true;
+    for (int i = 0; ok && i < INSTANCE_PARTS; i++) {
+        if (!gltf_index(attributes, names[i], &accessor)) continue;
+        ok = source_numbers_read(work->file, &work->buffers, accessor, i == TURN ? 4 : 3, &parts[i]);
+        count = parts[i].count;
+    }
+    for (int i = 0; ok && i < INSTANCE_PARTS; i++)
+        ok = !parts[i].values || parts[i].count == count;
+    if (!ok) fail(work, "the reference's reader finds no instances where they should be");
+    for (size_t i = 0; ok && i < count; i++) {
+        json_t *node = instance_node(parts, i);
+        const struct place place = {.node = node, .above = below, .depth = below->depth + 1};
+        ok = add_mesh(work, mesh, &place);
+        json_decref(node);
+    }
+    for (int i = 0; i < INSTANCE_PARTS; i++)
+        source_numbers_free(&parts[i]);
     return ok;
 }
 
@@ -179,9 +239,9 @@ static bool add_nodes(struct reading *work, const json_t *indices, const struct 
                                     number < motion->count ? &motion->nodes[number] : NULL, above, depth};
         if (!place.node) return fail(work, "a node that it names is not in it");
         if (gltf_index(place.node, "mesh", &mesh)) {
-            const json_t *primitives = json_object_get(gltf_element(work->file, "meshes", mesh), "primitives");
-            for (size_t k = 0; k < json_array_size(primitives); k++)
-                if (!add_primitive(work, json_array_get(primitives, k), &place)) return false;
+            const json_t *instances = instances_of(place.node);
+            if (!(instances ? add_instances(work, instances, mesh, &place) : add_mesh(work, mesh, &place)))
+                return false;
         }
         if (!add_nodes(work, json_object_get(place.node, "children"), &place)) return false;
     }

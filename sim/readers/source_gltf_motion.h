@@ -4,9 +4,9 @@
 #ifndef SIM_SOURCE_GLTF_MOTION_H
 #define SIM_SOURCE_GLTF_MOTION_H
 
+#include "gltf/gltf_file.h"
+#include "gltf/gltf_numbers.h"
 #include "model/source_motion.h"
-#include "readers/gltf_file.h"
-#include "readers/gltf_numbers.h"
 
 /* All nodes, and their keys unless animations are left out (import_motion.h). Keys that keep a part at one value become
  * that part, and `kept` says so. Empty where the file has what this reader does not know. */

@@ -4,6 +4,7 @@
 #include "readers/source.h"
 
 #include "base/grow.h"
+#include "files/utf16.h"
 #include "files/whole_file.h"
 
 #include <ctype.h>
@@ -29,32 +30,31 @@ static void join_continued_lines(char *text)
     *to = '\0';
 }
 
+/* Three numbers, then perhaps a weight, or a colour with or without an alpha: these say nothing of where it is. */
 static bool add_vertex(struct vertices *vertices, const char *line)
 {
-    double numbers[7];
+    double numbers[8];
     size_t count = 0;
     char *rest;
-    for (const char *at = line; count < 7; at = rest, count++) {
+    for (const char *at = line; count < 8; at = rest, count++) {
         at += strspn(at, " \t");
-        if (!*at || *at == '#') break;
+        if (!*at) break;
         numbers[count] = strtod(at, &rest);
         if (rest == at) return false;
     }
-    if (count != 3 && count != 4 && count != 6) return false;
+    if (count != 3 && count != 4 && count != 6 && count != 7) return false;
     vertices->at_m = grow(vertices->at_m, vertices->count, &vertices->capacity, sizeof *vertices->at_m);
-    for (int axis = 0; axis < 3; axis++)
-        vertices->at_m[vertices->count][axis] = count == 4 ? numbers[axis] / numbers[3] : numbers[axis];
-    vertices->count++;
+    memcpy(vertices->at_m[vertices->count++], numbers, sizeof *vertices->at_m);
     return true;
 }
 
-/* Corners are v, v/vt, v//vn or v/vt/vn; from 1, or backwards from the last vertex. */
-static bool add_face(struct source *source, const struct vertices *vertices, const char *line)
+/* Corners are v, v/vt, v//vn or v/vt/vn; from 1, or backwards from the last of the vertices that stand before. */
+static bool add_face(struct source *source, const struct vertices *vertices, size_t before, const char *line)
 {
-    for (const char *at = line + strspn(line, " \t"); *at && *at != '#'; at += strspn(at, " \t")) {
+    for (const char *at = line + strspn(line, " \t"); *at; at += strspn(at, " \t")) {
         char *rest;
         const long number = strtol(at, &rest, 10);
-        const long index = number < 0 ? (long)vertices->count + number : number - 1;
+        const long index = number < 0 ? (long)before + number : number - 1;
         if (rest == at || index < 0 || (size_t)index >= vertices->count) return false;
         source_corner(source, vertices->at_m[index]);
         at += strcspn(at, " \t");
@@ -63,26 +63,55 @@ static bool add_face(struct source *source, const struct vertices *vertices, con
     return true;
 }
 
+/* Cuts a line off the text, blanks for its comment, and none before it; the next one begins at *text. */
+static char *cut_line(char **text)
+{
+    char *line = *text, *end = line + strcspn(line, "\r\n"), *comment = line + strcspn(line, "#\r\n");
+    *text = end + (*end != '\0');
+    memset(comment, ' ', (size_t)(end - comment));
+    *end = '\0';
+    return line + strspn(line, " \t\xEF\xBB\xBF");
+}
+
+static bool is_statement(const char *line, const char *word)
+{
+    const size_t length = strlen(word);
+    return strncmp(line, word, length) == 0 && isblank((unsigned char)line[length]);
+}
+
+/* Faces may name vertices that come later, so lines are gone through twice, each a string of its own after that. */
+static bool read_lines(char *text, const char *end, struct vertices *vertices, struct source *source, struct error *err)
+{
+    size_t before = 0;
+    bool ok = true;
+    for (char *at = text; ok && at < end;) {
+        const char *line = cut_line(&at);
+        if (is_statement(line, "v")) ok = add_vertex(vertices, line + 1);
+        if (!ok) error_set(err, "the reference's reader does not understand '%.60s'", line);
+    }
+    for (char *at = text; ok && at < end; at += strlen(at) + 1) {
+        const char *line = at + strspn(at, " \t\xEF\xBB\xBF");
+        before += is_statement(line, "v");
+        if (is_statement(line, "f") || is_statement(line, "fo"))
+            ok = add_face(source, vertices, before, line + strcspn(line, " \t"));
+        if (!ok) error_set(err, "the reference's reader does not understand '%.60s'", line);
+    }
+    return ok;
+}
+
 enum source_result source_obj_read(const char *path, struct source *source, struct error *err)
 {
     struct vertices vertices = {0};
     struct whole_file file;
     if (!whole_file_read(path, &file, err)) return SOURCE_BAD;
+    utf8_from_utf16(&file);
     if (strlen(file.bytes) != file.size_b) {
         whole_file_free(&file);
         return SOURCE_UNKNOWN;
     }
     join_continued_lines(file.bytes);
-    bool ok = true;
-    char *line = file.bytes, *next;
-    for (size_t number = 1; ok && *line; line = next, number++) {
-        next = line + strcspn(line, "\r\n");
-        if (*next) *next++ = '\0';
-        line += strspn(line, " \t\xEF\xBB\xBF");
-        if (line[0] == 'v' && isblank((unsigned char)line[1])) ok = add_vertex(&vertices, line + 1);
-        if (line[0] == 'f') ok = add_face(source, &vertices, line + strcspn(line, " \t"));
-        if (!ok) error_set(err, "%s: the reference's reader does not understand '%.60s'", path, line);
-    }
+    const bool ok = read_lines(file.bytes, file.bytes + strlen(file.bytes), &vertices, source, err);
+    if (!ok) error_prefix(err, path);
     free(vertices.at_m);
     whole_file_free(&file);
     return ok ? SOURCE_READ : SOURCE_BAD;

@@ -4,6 +4,8 @@
  * that forgets inversion or the offset shows. */
 #include "render/panel_board.h"
 
+#include "linux/code_words.h"
+
 #include <stdlib.h>
 
 static uint16_t in_the_middle(unsigned free_px, uint16_t step_px)
@@ -76,7 +78,7 @@ bool panel_board_init(struct panel_board *board, const struct panel_choice *choi
     if (!code) code = screen_init(&board->screen, board->display.panel, method, board->lines, lines_b);
     if (!code) return true;
     panel_board_free(board);
-    return error_set(err, "emulated %s: the driver failed with %d", board->name, code);
+    return error_set(err, "emulated %s: %s (%d)", board->name, code_words(code), code);
 }
 
 uint64_t panel_board_bus_b(const struct panel_board *board)

@@ -5,6 +5,7 @@
 #include "render/simulator.h"
 
 #include "core/core.h"
+#include "linux/code_words.h"
 #include "render/counted_memory.h"
 #include "scene/convexity.h"
 #include "scene/method.h"
@@ -111,22 +112,6 @@ static bool board_init(struct simulator *simulator, const struct simulator_setup
 
 /* Renderer ----------------------------------------------------------------------------------- */
 
-static const char *reason_of(int code)
-{
-    switch (code) {
-    case LIM_ERR_MEMORY:
-        return "too little memory";
-    case LIM_ERR_SCENE:
-        return "the scene needs more than the renderer was built for";
-    case LIM_ERR_TARGET:
-        return "the target's size or format is not supported";
-    case LIM_ERR_CAMERA:
-        return "the camera's position or lens is out of range";
-    default:
-        return "the panel failed";
-    }
-}
-
 /* Pools run out where they do on a board. */
 static void count(struct simulator *simulator, bool antialias)
 {
@@ -161,7 +146,7 @@ static bool renderer_init(struct simulator *simulator, const struct lim_scene *s
     simulator->lim = calloc(1, core->lim_b);
     if (!simulator->pixels || !simulator->mem || !simulator->lim) return error_set(err, "simulator: out of memory");
     int code = core->init(simulator->lim, simulator->roomy, &simulator->target, simulator->mem, simulator->mem_b);
-    if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
+    if (code) return error_set(err, "renderer: %s (%d)", code_words(code), code);
     count(simulator, false);
     return true;
 }
@@ -177,11 +162,11 @@ bool simulator_set_ram(struct simulator *simulator, const struct simulator_ram *
     if (ram->bytes && ram->bytes < all_b) mem_b = ram->bytes;
     if (mem_b < least_b)
         return error_set(err, "renderer with %zu bytes of memory: %s; %zu are the least", mem_b,
-                         reason_of(LIM_ERR_MEMORY), least_b);
+                         code_words(LIM_ERR_MEMORY), least_b);
     simulator->part = all_b > least_b ? (double)(mem_b - least_b) / (double)(all_b - least_b) : 1.0;
     simulator->mem_b = counted_memory_of(core, simulator->scene, target, false).counted.cell_b ? roomy_b : mem_b;
     const int code = core->init(simulator->lim, simulator->roomy, target, simulator->mem, simulator->mem_b);
-    if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
+    if (code) return error_set(err, "renderer: %s (%d)", code_words(code), code);
     count(simulator, false);
     return true;
 }
@@ -248,7 +233,7 @@ bool simulator_set_delta(struct simulator *simulator, uint16_t runs, struct erro
     const int code = simulator->core->set_delta(simulator->lim, mem, mem_b);
     free(simulator->delta_mem);
     simulator->delta_mem = mem;
-    return !code || error_set(err, "renderer: %s (%d)", reason_of(code), code);
+    return !code || error_set(err, "renderer: %s (%d)", code_words(code), code);
 }
 
 void simulator_refresh(struct simulator *simulator)
@@ -272,7 +257,7 @@ bool simulator_set_movers(struct simulator *simulator, const struct lim_instance
     simulator->instance_count = (uint16_t)count;
     if (!simulator->mover_mem) return error_set(err, "simulator: out of memory");
     const int code = core->movers_init(simulator->lim, simulator->mover_mem, mem_b, limits);
-    return code == 0 || error_set(err, "renderer: %s (%d)", reason_of(code), code);
+    return code == 0 || error_set(err, "renderer: %s (%d)", code_words(code), code);
 }
 
 int simulator_draw(struct simulator *simulator, const struct lim_camera *camera)
@@ -297,7 +282,7 @@ bool simulator_frame(struct simulator *simulator, const struct lim_camera *camer
     struct panel_board *board = simulator->board;
     uint64_t before_b = board ? panel_board_bus_b(board) : 0;
     int code = board ? board_frame(simulator, camera) : simulator_draw(simulator, camera);
-    if (code) return error_set(err, "renderer: %s (%d)", reason_of(code), code);
+    if (code) return error_set(err, "renderer: %s (%d)", code_words(code), code);
     if (!board) return true;
     simulator->bus_b = (size_t)(panel_board_bus_b(board) - before_b);
     return panel_board_read(board, simulator->pixels, err);

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * What moves in a scene, as C: an object is a scene of its own, its motion a table of keys. */
+#include "base/printable.h"
 #include "scene/moving.h"
 #include "scene/scene_files.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /* Of object i, from 0. */
 static bool object_name(const struct named_scene *scene, size_t i, char name[C_PATH_MAX_B], struct error *err)
@@ -32,11 +34,11 @@ static void declare_textures(FILE *file, const struct lim_scene *scene, const ch
             scene->texel_blocks * (unsigned)LIM_TEXEL_BLOCK);
 }
 
-/* A node may be called anything: what would end the comment, or its line, is left out. */
+/* A node may be called anything: what would end the comment, or its line, or turn it round, is left out. */
 static void write_in_comment(FILE *file, const char *text)
 {
-    for (; *text; text++)
-        if ((unsigned char)*text >= ' ' && *text != '*' && *text != '\\' && *text != 0x7F) fputc(*text, file);
+    for (size_t length; *text; text += length)
+        if (printable_at(text, &length) == PRINTABLE && !strchr("*\\?", *text)) fwrite(text, 1, length, file);
 }
 
 void c_movers_declare(FILE *file, const struct named_scene *scene, const struct c_name *name)

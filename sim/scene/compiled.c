@@ -13,6 +13,7 @@ void compiled_free(struct compiled *scene)
     if (scene->moving) moving_free(scene->moving);
     free(scene->moving);
     original_free(scene->original);
+    free(scene->groups);
     free(scene->image);
     free(scene->of_32_bits);
     free(scene->report.notes);

@@ -86,6 +86,8 @@ struct predicted {
     double near_percent;                            /* of those near faces of all sizes */
     double portrait_percent;                        /* of those that have all in view, where there are any */
     size_t cameras, near_cameras, portrait_cameras; /* how many of each */
+    uint32_t worst_face;                            /* of the file, the one in most wrong pixels; 0: not known */
+    double worst_face_percent;                      /* of the wrong pixels that show it, or should */
 };
 
 /* The view that costs most of those that were searched, with pools that do not run out: not proved to be the worst. */
@@ -105,7 +107,9 @@ struct compile_report {
     size_t polygons_in, polygons_out; /* before and after splitting */
     size_t splits;
     size_t left_out;  /* faces that options.drop_small left out */
+    bool is_refused;  /* there is no scene, as it would not keep its promise (faithful.h) */
     size_t collapsed; /* pieces that the grid rounded to nothing */
+    size_t covered;   /* polygons in one plane with a later one, which lies over a part of them */
     size_t depth;
     size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */
     size_t leaves;             /* nodes without a plane, whose polygons have an order */
@@ -156,9 +160,10 @@ struct compiled {
     struct grid grid;
     uint32_t *faces;           /* polygon_count entries: face number (1-based) of each record, in order */
     struct original *original; /* the model's faces, shared; NULL: not known, as of a .lim file */
+    uint32_t *groups;          /* mesh.merged_into, owned; NULL: not known, as of a .lim file */
     void *image;               /* the .lim file's bytes, owned */
     size_t image_b;
-    struct compile_report report; /* all zero when read from a file */
+    struct compile_report report; /* all zero but .draws when read from a file */
 };
 
 void compiled_free(struct compiled *scene);

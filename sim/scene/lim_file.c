@@ -27,6 +27,8 @@ static unsigned char *file_bytes(const struct compiled *scene)
     if (HOST_IS_BIG_ENDIAN) lim_image_swap_sections(bytes, scene->image);
     struct lim_file_header header;
     memcpy(&header, bytes, sizeof header);
+    if (scene->report.w_px) header.drawn_by = 1 + (uint32_t)scene->report.draws; /* it was compiled, not read */
+    memcpy(bytes, &header, sizeof header);
     if (HOST_IS_BIG_ENDIAN) lim_image_swap_header(bytes);
     header.crc32 = lim_image_crc32(bytes, scene->image_b);
     memcpy(bytes, &header, sizeof header);
@@ -72,8 +74,10 @@ static bool check_header(const struct lim_file_header *header, const char *path,
                          (unsigned long)header->version, LIM_FILE_VERSION);
     const uint32_t fractions = header->counts[SECTION_FRACTIONS], uvs = header->counts[SECTION_UVS];
     const bool is_long = header->coordinate_bits == 32;
-    if ((header->coordinate_bits != 16 && header->coordinate_bits != 32) || header->zero)
+    if (header->coordinate_bits != 16 && header->coordinate_bits != 32)
         return error_set(err, "%s: damaged: coordinates of %lu bits", path, (unsigned long)header->coordinate_bits);
+    if (header->drawn_by > METHOD_DRAWS)
+        return error_set(err, "%s: drawn by a method that this program does not know", path);
     if (header->header_b != sizeof *header || header->file_b != lim_image_section_b(header, SECTION_COUNT) ||
         (fractions && fractions != header->counts[SECTION_VERTICES]) ||
         ((uvs || is_long) && uvs != header->counts[is_long ? SECTION_MAPPINGS : SECTION_VERTICES]))
@@ -149,6 +153,7 @@ static bool read_scene(FILE *file, const char *path, struct compiled *out, struc
     bool ok = read_rest(file, &header, image, path, err);
     if (ok) {
         lim_image_bind(image, out);
+        out->report.draws = header.drawn_by ? (enum lim_method)(header.drawn_by - 1) : method_of_scene(&out->scene);
         ok = (check_gaps(image, &header, err) && check_grid(&out->grid, err) && lim_check(&out->scene, err) &&
               check_faces(out, err)) ||
              error_prefix(err, path);

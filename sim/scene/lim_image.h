@@ -47,7 +47,7 @@ struct lim_file_header {
     uint32_t deep_from;             /* of a mesh; else 0 */
     uint32_t near_deep_from;        /* likewise */
     uint32_t coordinate_bits;       /* 16; 32: vertices, planes and boxes are those of long.h */
-    uint32_t zero;
+    uint32_t drawn_by;              /* 1 + enum lim_method, what the compiler chose; 0: not said */
 };
 
 enum { LIM_FILE_CRC_FROM_B = 24 }; /* the first byte that crc32 covers */

@@ -38,7 +38,7 @@ const struct method *method_parse(const char *text, struct error *err)
                                                                                                     : NULL;
 }
 
-static const struct method *first_of(enum lim_method draws)
+const struct method *method_that(enum lim_method draws)
 {
     size_t i = 0;
 
@@ -47,20 +47,20 @@ static const struct method *first_of(enum lim_method draws)
     return &methods[i];
 }
 
-const struct method *method_of_scene(const struct lim_scene *scene)
+enum lim_method method_of_scene(const struct lim_scene *scene)
 {
-    if (!lim_scene_is_mesh(scene)) return !scene->limits.depth && scene->limits.pieces ? first_of(LIM_NEWELL) : NULL;
-    return first_of(*scene->near_deep_from < scene->polygon_count ? LIM_MESH_DEPTH : LIM_MESH);
+    if (lim_scene_is_mesh(scene)) return *scene->near_deep_from < scene->polygon_count ? LIM_MESH_DEPTH : LIM_MESH;
+    return !scene->limits.depth && scene->limits.pieces ? LIM_NEWELL : LIM_NEAREST_FIRST;
 }
 
 const char *method_name(enum lim_method draws)
 {
-    return first_of(draws)->name;
+    return method_that(draws)->name;
 }
 
 bool method_is_exact(enum lim_method draws)
 {
-    return first_of(draws)->exact;
+    return method_that(draws)->exact;
 }
 
 const char *method_title(enum lim_method draws)

@@ -17,15 +17,20 @@ struct method {
     bool exact;          /* else a picture may be wrong by more than rounding */
 };
 
+enum { METHOD_DRAWS = LIM_MESH_DEPTH + 1 }; /* members of enum lim_method */
+
 extern const struct method methods[];
 extern const size_t method_count;
 
 /* By its name, from --method; an unknown one is refused with the list of those there are. */
 const struct method *method_parse(const char *text, struct error *err);
 
-/* What draws a scene without a tree: a mesh, by depth where triangles have it, or a set that may be split. NULL: it has
- * a tree, or is a set that any sort might be for. */
-const struct method *method_of_scene(const struct lim_scene *scene);
+/* The first one that draws so. */
+const struct method *method_that(enum lim_method draws);
+
+/* What draws a scene of which nobody says it: a mesh, by depth where triangles have it, or a set that may be split, or
+ * nearest first. */
+enum lim_method method_of_scene(const struct lim_scene *scene);
 
 /* Whether it draws objects that move; an error says that it does not. */
 bool method_can_move(enum lim_method draws);

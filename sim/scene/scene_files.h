@@ -6,7 +6,7 @@
 #define SIM_SCENE_FILES_H
 
 #include "base/c_name.h"
-#include "base/outputs.h"
+#include "outputs/outputs.h"
 #include "scene/compiled.h"
 
 struct moving;

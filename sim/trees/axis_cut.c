@@ -18,7 +18,7 @@ static struct splitter_tally tally_of(const struct bsp *bsp, const uint32_t *lis
 {
     struct splitter_tally tally = {0};
     for (size_t i = 0; i < count; i++) {
-        const int sides = bsp_piece_filed(bsp, &bsp->pieces[list[i]], bsp_plane(bsp, group));
+        const int sides = bsp_piece_filed(bsp, &bsp->pieces[list[i]], group);
         tally.front += sides == BSP_FRONT;
         tally.back += sides == BSP_BACK;
         tally.splits += sides == BSP_BOTH;

@@ -100,9 +100,25 @@ int bsp_piece_sides(const struct bsp *bsp, const struct bsp_piece *piece, const 
     return sides;
 }
 
-int bsp_piece_filed(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane)
+/* Which side of a group's plane a polygon is on that lies over one of the group, or under it; BSP_ON: it does not. */
+static int side_by_layers(const struct bsp *bsp, uint32_t polygon, uint32_t group)
 {
-    const int sides = bsp_piece_sides(bsp, piece, plane);
+    const struct coplanar *coplanar = bsp->coplanar;
+    size_t count;
+    const struct layer *layer = layers_of(&coplanar->layers, polygon, &count);
+    for (; count; layer++, count--) {
+        if (!layer->height || coplanar->group[layer->other] != group) continue;
+        const bool faces_back = coplanar->faces_back[layer->other] != layer->is_turned;
+        return (layer->height > 0) == faces_back ? BSP_FRONT : BSP_BACK;
+    }
+    return BSP_ON;
+}
+
+int bsp_piece_filed(const struct bsp *bsp, const struct bsp_piece *piece, uint32_t group)
+{
+    const struct plane *plane = bsp_plane(bsp, group);
+    int sides = bsp_piece_sides(bsp, piece, plane);
+    if (sides == BSP_ON) sides = side_by_layers(bsp, piece->polygon, group);
     if (sides != BSP_ON) return sides;
     const uint32_t part = bsp->parts ? bsp->parts->of[piece->polygon] : 0;
     double middle[3];

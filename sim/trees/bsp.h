@@ -74,9 +74,9 @@ enum { BSP_ON = 0, BSP_FRONT = 1, BSP_BACK = 2, BSP_BOTH = BSP_FRONT | BSP_BACK 
 /* Where the corners of a piece are: a sum of BSP_FRONT and BSP_BACK. */
 int bsp_piece_sides(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane);
 
-/* The same, but a piece that lies on the plane all over is on the side of its middle, or of its part's: where it is
- * filed. */
-int bsp_piece_filed(const struct bsp *bsp, const struct bsp_piece *piece, const struct plane *plane);
+/* The same of a group's plane, but a piece that lies on it all over is filed on one side: where it is over a polygon of
+ * the group, or under it; else on that of its middle, or of its part's. */
+int bsp_piece_filed(const struct bsp *bsp, const struct bsp_piece *piece, uint32_t group);
 
 /* A new piece: that polygon of the mesh, whole. */
 uint32_t bsp_piece_of(struct bsp *bsp, uint32_t polygon);

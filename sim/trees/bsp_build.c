@@ -66,12 +66,11 @@ static void place(struct bsp *bsp, struct bsp_node *node, uint32_t piece)
 static void file_piece(struct bsp *bsp, struct bsp_node *node, uint32_t index, struct list *front, struct list *back)
 {
     const struct bsp_piece *piece = &bsp->pieces[index];
-    const struct plane *plane = bsp_plane(bsp, node->group);
     if (bsp->coplanar->group[piece->polygon] == node->group) {
         place(bsp, node, index);
         return;
     }
-    int sides = bsp_piece_filed(bsp, piece, plane);
+    int sides = bsp_piece_filed(bsp, piece, node->group);
     if (sides != BSP_BOTH) {
         list_add(sides == BSP_FRONT ? front : back, index);
         return;

@@ -37,8 +37,12 @@ struct cluster_pair cluster_pair(const struct bsp *bsp, uint32_t p, uint32_t q)
 {
     const int p_from_q = sides_of_face(bsp, &bsp->pieces[p], &bsp->pieces[q]);
     const int q_from_p = sides_of_face(bsp, &bsp->pieces[q], &bsp->pieces[p]);
-    return (struct cluster_pair){(p_from_q & BSP_FRONT) && (q_from_p & BSP_BACK),
-                                 (q_from_p & BSP_FRONT) && (p_from_q & BSP_BACK)};
+    const struct cluster_pair out = {(p_from_q & BSP_FRONT) && (q_from_p & BSP_BACK),
+                                     (q_from_p & BSP_FRONT) && (p_from_q & BSP_BACK)};
+    if (out.p_hides_q || out.q_hides_p) return out;
+    const struct layer_pair layers =
+        layers_pair(&bsp->coplanar->layers, bsp->mesh, bsp->pieces[p].polygon, bsp->pieces[q].polygon);
+    return (struct cluster_pair){layers.p_hides_q, layers.q_hides_p};
 }
 
 /* Pieces of polygons of which neither can hide the other need no planes; whole ones need none at all. */

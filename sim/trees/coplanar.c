@@ -92,33 +92,47 @@ static uint64_t cell_key(const double direction[3], const int step[3])
     return key;
 }
 
-static bool group_holds(const struct grouping *work, const struct face_plane *head, const struct face_plane *face)
+/* A group that may take a polygon in, and how far the polygon's farthest corner is off its plane. */
+struct place {
+    uint32_t group;
+    double off_units;
+};
+
+/* How far the farthest corner is off a group's plane; no farther is looked for than `most_units`. */
+static double off_group(const struct grouping *work, const struct face_plane *head, const struct face_plane *face,
+                        double most_units)
 {
     const struct mesh_polygon *polygon = &work->mesh->polygons[face->polygon];
-    for (uint32_t i = 0; i < polygon->count; i++)
-        if (fabs(dot(head->normal, corner_at(work, polygon, i)) - head->d) > work->tolerance_units) return false;
-    return true;
+    double most = 0;
+    for (uint32_t i = 0; i < polygon->count && most <= most_units; i++)
+        most = fmax(most, fabs(dot(head->normal, corner_at(work, polygon, i)) - head->d));
+    return most;
 }
 
-static uint32_t cell_search(const struct grouping *work, uint64_t key, const struct face_plane *face)
+/* The first that holds the polygon, or the one whose plane is nearest. */
+static void cell_search(const struct grouping *work, uint64_t key, const struct face_plane *face, bool nearest,
+                        struct place *best)
 {
     const uint32_t *first = map_find(&work->cells, key);
-    for (uint32_t group = first ? *first : NO_GROUP; group != NO_GROUP; group = work->next[group])
-        if (group_holds(work, &work->heads[group], face)) return group;
-    return NO_GROUP;
+    for (uint32_t group = first ? *first : NO_GROUP; group != NO_GROUP; group = work->next[group]) {
+        const double off_units = off_group(work, &work->heads[group], face, work->tolerance_units);
+        if (off_units > work->tolerance_units || off_units >= best->off_units) continue;
+        *best = (struct place){group, off_units};
+        if (!nearest) return;
+    }
 }
 
 /* Looks at the direction's cell and its neighbours, then at those of the opposite direction. */
-static uint32_t group_search(const struct grouping *work, const struct face_plane *face)
+static uint32_t group_search(const struct grouping *work, const struct face_plane *face, bool nearest)
 {
-    uint32_t found = NO_GROUP;
-    for (int k = 0; k < 54 && found == NO_GROUP; k++) {
+    struct place best = {NO_GROUP, INFINITY};
+    for (int k = 0; k < 54 && (nearest || best.group == NO_GROUP); k++) {
         double sign = k < 27 ? 1.0 : -1.0;
         double direction[3] = {sign * face->normal[0], sign * face->normal[1], sign * face->normal[2]};
         const int step[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 % 3 - 1};
-        found = cell_search(work, cell_key(direction, step), face);
+        cell_search(work, cell_key(direction, step), face, nearest, &best);
     }
-    return found;
+    return best.group;
 }
 
 static uint32_t group_start(struct grouping *work, const struct face_plane *face)
@@ -139,8 +153,21 @@ static void group_polygons(struct grouping *work, uint32_t *group_of)
     qsort(work->faces, count, sizeof *work->faces, larger_first);
     for (size_t i = 0; i < count && !(i && deadline_passed()); i++) {
         progress_bar(i, count, "grouping %zu polygons by plane", count);
-        uint32_t group = group_search(work, &work->faces[i]);
+        uint32_t group = group_search(work, &work->faces[i], false);
         group_of[work->faces[i].polygon] = group == NO_GROUP ? group_start(work, &work->faces[i]) : group;
+    }
+}
+
+/* Of sheets that lie over one another each goes to the group that is nearest, so that none of another group lies
+ * between two of one group: no tree could draw that. */
+static void regroup_layers(const struct grouping *work, const struct layers *layers, uint32_t *group_of)
+{
+    for (size_t i = 0; i < work->mesh->polygon_count && !deadline_passed(); i++) {
+        const uint32_t polygon = work->faces[i].polygon;
+        size_t count;
+        layers_of(layers, polygon, &count);
+        const uint32_t group = count ? group_search(work, &work->faces[i], true) : NO_GROUP;
+        if (group != NO_GROUP) group_of[polygon] = group; /* one that is bent has its own */
     }
 }
 
@@ -203,7 +230,9 @@ void coplanar_find(const struct mesh *mesh, double (*points)[3], double toleranc
     work.next = grow_zeroed(mesh->polygon_count, sizeof *work.next);
     out->group = grow_zeroed(mesh->polygon_count, sizeof *out->group);
     out->faces_back = grow_zeroed(mesh->polygon_count, sizeof *out->faces_back);
+    layers_find(mesh, tolerance_units, &out->layers);
     group_polygons(&work, out->group);
+    regroup_layers(&work, &out->layers, out->group);
     out->count = work.head_count;
     out->planes = grow_zeroed(out->count, sizeof *out->planes);
     store_planes(&work, out, tolerance_units);
@@ -219,5 +248,6 @@ void coplanar_free(struct coplanar *coplanar)
     free(coplanar->planes);
     free(coplanar->group);
     free(coplanar->faces_back);
+    layers_free(&coplanar->layers);
     *coplanar = (struct coplanar){0};
 }

@@ -222,7 +222,7 @@ static bool parts_list(const struct bsp *bsp, const uint32_t *list, size_t count
 {
     int met = BSP_ON;
     for (size_t i = 0; i < count; i++) {
-        const int filed = bsp_piece_filed(bsp, &bsp->pieces[list[i]], bsp_plane(bsp, group));
+        const int filed = bsp_piece_filed(bsp, &bsp->pieces[list[i]], group);
         if (filed == BSP_BOTH) return false;
         met |= filed;
     }

@@ -205,6 +205,25 @@ static void sides_to_hiding(struct search *search)
         }
 }
 
+/* What planes do not tell, because one is within the tolerance of the other's. Polygons of a list have their bits. */
+static void add_layers(const struct hiding *hiding, const struct bsp *bsp, uint32_t p)
+{
+    size_t count;
+    const struct layer *layer = layers_of(&bsp->coplanar->layers, p, &count);
+    for (; count; layer++, count--) {
+        const uint32_t q = layer->other;
+        if (q < p || hiding->bit_of[q] == HIDING_NONE || hiding_holds(hiding, p, q) || hiding_holds(hiding, q, p))
+            continue;
+        const struct layer_pair pair = layers_pair(&bsp->coplanar->layers, bsp->mesh, p, q);
+        uint64_t *const p_hides = &hiding->hides[hiding->bit_of[p] * hiding->words];
+        uint64_t *const q_hides = &hiding->hides[hiding->bit_of[q] * hiding->words];
+        uint64_t *const hides_p = &hiding->hidden_by[hiding->bit_of[p] * hiding->words];
+        uint64_t *const hides_q = &hiding->hidden_by[hiding->bit_of[q] * hiding->words];
+        if (pair.p_hides_q) hiding_add(hiding, p_hides, q), hiding_add(hiding, hides_q, p);
+        if (pair.q_hides_p) hiding_add(hiding, q_hides, p), hiding_add(hiding, hides_p, q);
+    }
+}
+
 void hiding_find(struct hiding *hiding, const struct bsp *bsp, const uint32_t *list, size_t count)
 {
     struct search search = {.bsp = bsp, .polygons = grow_zeroed(count, sizeof *search.polygons)};
@@ -228,6 +247,8 @@ void hiding_find(struct hiding *hiding, const struct bsp *bsp, const uint32_t *l
         hiding->bit_of[i] = HIDING_NONE;
     for (size_t i = 0; i < search.count; i++)
         hiding->bit_of[search.polygons[i]] = (uint32_t)i;
+    for (size_t i = 0; i < search.count; i++)
+        add_layers(hiding, bsp, search.polygons[i]);
     free(search.polygons);
     free(search.blocks);
 }

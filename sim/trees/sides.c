@@ -126,5 +126,5 @@ void sides_find(const struct sides *sides, uint32_t group, uint8_t *out)
         if (sides->groups[i] == group)
             out[i] = BSP_ON;
         else if (out[i] == BSP_ON)
-            out[i] = (uint8_t)bsp_piece_filed(sides->bsp, &sides->bsp->pieces[sides->list[i]], plane);
+            out[i] = (uint8_t)bsp_piece_filed(sides->bsp, &sides->bsp->pieces[sides->list[i]], group);
 }

@@ -20,12 +20,13 @@ class Input:
     """files: bytes by name; the model is the first. triangles: a list, or a function of the time in seconds that makes
     one; None: it must be refused. says: a pattern that standard error must have; None: nothing is to be said."""
 
-    def __init__(self, name, files, triangles, options=(), says=None, frames=0, fps=10):
+    def __init__(self, name, files, triangles, options=(), says=None, frames=0, fps=10, front=False):
         self.name, self.files, self.triangles, self.says = name, files, triangles, says
         self.options, self.frames, self.fps = list(options), frames, fps
+        self.front = front  # seen from +z: what has one side
 
 
-def cameras_of(triangles, count, random):
+def cameras_of(triangles, count, random, front):
     points = np.concatenate([t.points for t in triangles])
     low, high = points.min(0), points.max(0)
     middle, reach = (low + high) / 2, np.linalg.norm(high - low) / 2 + 1e-9
@@ -33,6 +34,7 @@ def cameras_of(triangles, count, random):
     for _ in range(count):
         way = random.normal(size=3)
         way[1] = np.clip(way[1], -0.8, 0.8)
+        way[2] = abs(way[2]) + 0.5 if front else way[2]
         out.append(rays.Camera(middle + way / np.linalg.norm(way) * reach * random.uniform(1.9, 2.6), middle))
     return out
 
@@ -62,11 +64,11 @@ def judge(each, folder, random):
             out.write(data)
     at = each.triangles if callable(each.triangles) else lambda time_s: each.triangles
     refused = each.triangles is None
-    cameras = [] if refused else cameras_of(at(0.0), each.frames or 2, random)
+    cameras = [] if refused else cameras_of(at(0.0), each.frames or 2, random, each.front)
     with open(os.path.join(folder, 'it.cam'), 'w') as out:
         out.writelines(camera.line() + '\n' for camera in cameras or [rays.Camera((0, 0, 9), (0, 0, 0))])
     model = next(iter(each.files))
-    command = [os.path.abspath(os.environ['BUILD']) + '/limner', 'render', model, '--camera', 'it.cam', '--unlit', '--size',
+    command = [os.path.abspath(os.environ['BUILD']) + '/limner', 'render', model, '--camera', 'it.cam', '--unlit', '--precision', 'exact', '--size',
                '%dx%d' % SIZE_PX, '--near', str(rays.NEAR_M), '-o', '%03d.png', *each.options]
     command += ['--fps', str(each.fps)] if each.frames else []
     done = subprocess.run(command, cwd=folder, capture_output=True, timeout=300)

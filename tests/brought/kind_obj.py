@@ -115,28 +115,28 @@ def _maps():
                     '-colorspace sRGB', '-mm 0 1', '-clamp off', '-whatever 3'):
         says = 'whatever' if 'whatever' in options else None
         files, triangles = _textured('map_Kd %s it.png' % options, square)
-        yield Input('map_Kd ' + options, files, triangles, says=says)
+        yield Input('map_Kd ' + options, files, triangles, says=says, front=True)
     for options, scale, offset in (('-s 2 2 1', (2, 2), (0, 0)), ('-s 2', (2, 1), (0, 0)), ('-o 0.25 0.5 0', (1, 1), (0.25, 0.5)),
                                    ('-s 2 3 1 -o 0.5 0.25 0', (2, 3), (0.5, 0.25))):
         files, triangles = _textured('map_Kd %s it.png' % options, square, scale=scale, offset=offset)
-        yield Input('map_Kd ' + options, files, triangles)
+        yield Input('map_Kd ' + options, files, triangles, front=True)
     files, triangles = _textured('map_Kd -clamp on it.png', twice, ('clamp', 'clamp'))
-    yield Input('map_Kd -clamp on', files, triangles)
+    yield Input('map_Kd -clamp on', files, triangles, front=True)
     for said, name in (('"it.png"', 'it.png'), ('it.png  ', 'it.png'), ('a b.png', 'a b.png'), ('"a b.png"', 'a b.png'),
                        ('a%20b.png', 'a b.png'), ('.\\it.png', 'it.png'), ('./it.png', 'it.png'), ('d/it.png', 'd/it.png'),
                        ('d\\it.png', 'd/it.png')):
         files, triangles = _textured('map_Kd ' + said, square, name=name)
-        yield Input('a picture called ' + said, files, triangles)
+        yield Input('a picture called ' + said, files, triangles, front=True)
     for said in ('/home/somebody/tex/it.png', 'C:\\tex\\it.png', 'IT.PNG', '../nowhere/it.png'):
         files, triangles = _textured('map_Kd ' + said, square)
-        yield Input('a picture elsewhere: ' + said, files, triangles, says='it.png')
+        yield Input('a picture elsewhere: ' + said, files, triangles, says='it.png', front=True)
     for library in ('"it.mtl"', 'it.mtl  ', './it.mtl', 'other.mtl it.mtl', 'it.mtl other.mtl'):
         files, triangles = _textured('map_Kd it.png', square, library=library)
         files['other.mtl'] = b'newmtl other\nKd 1 0 0\n'
-        yield Input('mtllib ' + library, files, triangles)
+        yield Input('mtllib ' + library, files, triangles, front=True)
     for library in ('IT.mtl', '/nowhere/it.mtl', 'C:\\x\\it.mtl'):
         files, triangles = _textured('map_Kd it.png', square, library=library)
-        yield Input('mtllib ' + library, files, triangles, says='it.mtl')
+        yield Input('mtllib ' + library, files, triangles, says='it.mtl', front=True)
 
 
 def inputs(random):

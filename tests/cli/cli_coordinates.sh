@@ -58,6 +58,41 @@ for scene in sim/scenes/rooms.obj sim/scenes/teapot.obj sim/scenes/glass.obj "$d
     tap_check "$(basename "$scene" .obj) keeps 16 bits, and is what it would be without the option" auto_is_as_16 "$scene"
 done
 
+# What 16 bits refuse for their near plane, their eyes or a precision, 32 draw: a floor of so many metres either way, with a
+# square of 0.2 m on end.
+floor() { # HALF-SIDE
+    awk -v half="$1" 'BEGIN {
+        print "v", -half, 0, -half "\nv", -half, 0, half "\nv", half, 0, half "\nv", half, 0, -half
+        print "v 0 0 0\nv .2 0 0\nv .2 .2 0\nv 0 .2 0\nf 1 2 3 4\nf 5 6 7 8" }'
+}
+echo '0.1 0.3 1 0.1 0.1 0' >"$work/square.cam"
+echo '0 0 100 0 0 0' >"$work/far.cam"
+printf 'v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nf 1 2 3 4\n' >"$work/square.obj"
+is_right() { # MODEL CAMERAS OPTION...
+    right_model=$1 right_cameras=$2
+    shift 2
+    "$limner" render "$right_model" --camera "$right_cameras" --compare "$@" >"$work/said" && tail -n 1 "$work/said" &&
+        awk '/^compared/ { wrong = $8 } END { exit !(wrong != "" && wrong <= 0.3) }' "$work/said"
+}
+for half in 1500 5000 50000 500000; do
+    floor $half >"$work/floor.obj"
+    for precision in fast fine exact; do
+        tap_check "a square of 0.2 m on a floor of $half m either way, $precision" is_right "$work/floor.obj" "$work/square.cam" \
+            --precision $precision
+    done
+    tap_check "a near plane of 0.1 m there" is_right "$work/floor.obj" "$work/square.cam" --near 0.1
+done
+tap_check "an eye that is 100 m from a square of 4 m" is_right "$work/square.obj" "$work/far.cam" --fov 3
+tap_check "16 bits refuse that, and 32 are named" refused 'far.cam:1: the eye is too far .*, farther with --coordinates 32$' \
+    render "$work/square.obj" --camera "$work/far.cam" --fov 3 --coordinates 16 -o "$work/out/%d.png"
+floor 5000 >"$work/floor.obj"
+tap_check "and the near plane" refused 'nothing nearer than .*; take --coordinates 32$' \
+    render "$work/floor.obj" --coordinates 16 --near 0.1 --precision exact -o "$work/out/%d.png"
+tap_check "and what the near plane cuts away" refused 'smaller than the distance .*; take --coordinates 32, or give --near 0.61$' \
+    compile "$work/floor.obj" --coordinates 16 --precision exact -o "$work/out/x"
+tap_check "a method that cannot have 32 bits is told so" refused 'take a method that walks a tree, .*, or give --near 0.61$' \
+    render "$work/floor.obj" --method newell --precision exact -o "$work/out/%d.png"
+
 # The same model on both grids: the pictures are as the reference has them.
 rooms_with_32_bits() {
     "$limner" render sim/scenes/rooms.obj --coordinates 32 --camera sim/scenes/rooms.cam --size 80x60 --compare >"$work/said" &&

@@ -78,8 +78,10 @@ names_are_mapped() {
 }
 
 # ESP-IDF calls a component as its folder is called.
-idf_takes_no_blanks() {
-    refuses '^limner: -o .*/a house: ESP-IDF calls a component by its folder; no blanks, please$' "$model" --for idf -o "$work/a house"
+idf_takes_plain_names() {
+    for name in 'a house' 'a"b' "it's" 'a\b' 'a#b' 'a;b' 'a$b' 'a(b)' 'a@b' 'naïve'; do
+        refuses ': ESP-IDF calls a component by its folder: letters, digits and [.] [+] - _ alone, please$' "$model" --for idf -o "$work/$name" || return 1
+    done
 }
 
 # An option that only one of its readers would understand.
@@ -227,7 +229,7 @@ tap_check "a file is no folder" is_a_file
 tap_check "of an export that failed nothing is left" nothing_is_left
 tap_check "a scene too large for the smallest board is told, with bytes" too_large
 tap_check "names that toolchains cannot have are mapped, and told" names_are_mapped
-tap_check "a component has no blank in its name" idf_takes_no_blanks
+tap_check "a component has no blank in its name" idf_takes_plain_names
 tap_check "--panel and --size are not abbreviated" options_in_full
 tap_check "names of nodes do not leave their comment" nodes_say_nothing
 tap_check "several models share one folder" several_models

@@ -85,7 +85,7 @@ range_is_true() { # MODEL: the nearest plane that a refusal names is drawn with,
     cat "$work/said"
     least_m=$(sed -n 's/.*out of range; this scene allows \([^ ]*\) to [^ ]* m$/\1/p' "$work/said")
     "$limner" render "$1" --camera random:1:1 --near "$least_m" && echo "$least_m" &&
-        ! "$limner" render "$1" --camera random:1:1 --near "$(echo "$least_m" | awk '{ print $1 / 2 }')"
+        ! "$limner" render "$1" --coordinates 16 --camera random:1:1 --near "$(echo "$least_m" | awk '{ print $1 / 2 }')"
 }
 tap_check "one that is too far off is told the range, whose lower end is the nearest" range_is_true sim/scenes/teapot.obj
 tap_check "compile refuses none at all" refused '--near 0: the near plane must lie in front of the eye' compile "$ground" --near 0 -o "$work/out/x"

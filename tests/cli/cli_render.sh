@@ -235,7 +235,7 @@ tap_check "fewer colours do not" is_refused '^limner: hashes: frame 0 differs' \
     render pyramid.obj --camera path.cam --size 64x48 --panel st7789:rgb444 --check hashes
 
 prints_stats() {
-    render --stats >stats && grep -q '64x48 pixels, through the emulated st7789' stats &&
+    render --method nearest --stats >stats && grep -q '64x48 pixels, through the emulated st7789' stats &&
         [ "$(awk 'NR == 2 { print $1, $NF } NR > 2 { printf "%s ", $1 }' stats)" = "$(printf 'frame bus_b\n0 1 2 mean worst predicted in ')" ] &&
         awk '$1 == "frame" { for (i = 1; i <= NF; i++) column[$i] = i }
             $1 ~ /^[0-9]+$/ && ($(NF) < 64 * 48 * 2 || $column["overdraw"] != "1.000") { bad = 1 }

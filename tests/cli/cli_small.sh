@@ -12,7 +12,7 @@ ground=$work/ground240000.obj
 
 . tests/refused.sh
 
-small='ground240000.obj: face [0-9]* \(0\.6 m\), [0-9]* \(0\.6 m\), [0-9]* \(0\.6 m\) \.\.\.: 12[05] of 126 faces would vanish or move too far on a grid with units of 3\.66 m; split the model into several scenes, enlarge what is small, leave it out by --drop-small$'
+small='ground240000.obj: face [0-9]* \(0\.6 m\), [0-9]* \(0\.6 m\), [0-9]* \(0\.6 m\) \.\.\.: 12[05] of 126 faces would vanish or move too far on a grid with units of 3\.66 m; take --coordinates 32, or leave it out by --drop-small$'
 for profile in draft fast fine exact; do
     tap_check "compile refuses what vanishes, $profile" refused "$small" compile "$ground" --coordinates 16 -o "$work/out/x" --precision $profile
     tap_check "render, too, $profile" refused "$small" render "$ground" --coordinates 16 -o "$work/out/%d.png" --gif "$work/out/x.gif" --precision $profile
@@ -25,7 +25,7 @@ tap_check "play refuses" refused "$small" play "$ground" --coordinates 16 --pane
 tap_check "compile refuses one such model of two" refused "$small" compile sim/scenes/knot.obj "$ground" --coordinates 16 -o "$work/out/x"
 tap_check "also where it only reports" refused "$small" compile "$ground" --coordinates 16 --report
 
-helps='1000.obj: face [2-6] .*, or take --precision exact$'
+helps='1000.obj: face [2-6] .*; take --coordinates 32, take --precision exact, or leave it out by --drop-small$'
 tap_check "1 km: boxes of 0.1 m move too far, and exact helps" refused "$helps" compile "$work/floor1000.obj" --coordinates 16 -o "$work/out/x"
 tap_check "it does" "$limner" compile "$work/floor1000.obj" --coordinates 16 -o "$work/x" --precision exact
 tap_check "10 km are refused" refused '10000.obj: face [2-6] \(0\.1 m\)' compile "$work/floor10000.obj" --coordinates 16 -o "$work/out/x"

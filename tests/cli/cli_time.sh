@@ -3,6 +3,7 @@
 # --time-limit: commands that would go on for minutes end soon after it, say what counts, and leave nothing half-written;
 # without pressure of time they write what they write without a limit.
 . tests/tap.sh
+export XDG_CACHE_HOME=/nonexistent # what was decided before takes no time
 
 limner=$(cd "$BUILD" && pwd)/limner
 rooms=$(pwd)/sim/scenes/rooms.obj
@@ -54,6 +55,21 @@ nothing_found() { # COMMAND [OPTION...]: time is over before there is anything
     ends 1 "$@" --time-limit 1 && [ ! -s left ] && [ "$(grep -c . said)" -eq 1 ] &&
         grep -q '^limner: .*stopped after [0-9.]* s (.*--time-limit 1): ' said
 }
+# Streams without an end, and files that take long: a log, a dump, blanks in one, a comment in one.
+ends_decoding() { # COMMAND that writes the input
+    { eval "$1"; } 2>/dev/null | timeout "$patience_s" "$limner" decode - --panel st7789 --time-limit 1 >out 2>said
+    [ "$(tail -n 1 said | grep -c '^limner: .*stopped after [0-9.]* s (--time-limit 1): standard input.*, after 0 frames$')" -eq 1 ] ||
+        { cat said && return 1; }
+}
+dump='printf "%s\n" "\$timescale 1 ns \$end" "\$var wire 1 a sck \$end" "\$var wire 1 b mosi \$end" "\$var wire 1 c dc \$end" "\$enddefinitions \$end" "#0 0a 0b 0c"'
+tap_check "decode ends a log that goes on" ends_decoding 'yes "b 00"'
+tap_check "and a dump" ends_decoding "$dump; awk 'BEGIN { while (1) print \"#\" ++t * 100 \"\\n\" t % 2 \"a\" }'"
+tap_check "and one of blanks" ends_decoding "$dump; yes ''"
+tap_check "and one that is a comment" ends_decoding "$dump; echo '\$comment'; yes x"
+seq 3000000 | sed 's/.*/b 00 00 00 00/' >long.wire
+tap_check "and a file" ends 1 decode ../long.wire --panel st7789 --time-limit 0
+tap_check "which it reads by its end without" grep -q 'long.wire: ends after 0 frames' said
+
 for command in 'compile -o x' 'compile --report' 'compile --max-error 1 -o x' 'compile --max-vertex-error 1 -o x' 'compile --tree clusters -o x' \
     'compile --tree axis -o x' 'compile --tree octree -o x' 'render -o %d.png --gif x.gif --ids x.ids --write-hashes x.hashes' \
     'measure --no-cost -o m' splitters view 'play --panel st7789 --spi /dev/spidev0.0 --dc 1'; do

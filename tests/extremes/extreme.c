@@ -4,6 +4,7 @@
 #include "extreme.h"
 
 #include "compiler/compile_mesh.h"
+#include "compiler/coordinates.h"
 #include "compiler/faithful.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"
@@ -42,7 +43,7 @@ static bool clean(struct extreme *extreme, const struct model *model, const stru
     if (!is_long)
         return mesh_clean(model, &extreme->mesh, err) &&
                reference_init(&extreme->reference, &extreme->mesh, picture->w_px, picture->h_px, err);
-    if (!faithful_clean(model, options, &extreme->mesh, err) ||
+    if (!coordinates_clean(model, options, &extreme->mesh, err) ||
         !mesh_clean_fine(model, &extreme->mesh.grid, &fine, err))
         return false;
     const bool ok = reference_init(&extreme->reference, &fine, picture->w_px, picture->h_px, err);

@@ -4,6 +4,7 @@
  * each input and opened by its descriptor: nothing to clash, to clean up or to wait for. */
 #include "fuzz.h"
 
+#include "base/inputs.h"
 #include "base/work_folder.h"
 
 #include <fcntl.h>
@@ -78,6 +79,7 @@ const char *fuzz_as_file(const uint8_t *bytes, size_t size_b)
     static char path[32];
     const int fd = scratch_file();
 
+    inputs_forget();
     if (pwrite(fd, bytes, size_b, 0) != (ssize_t)size_b || ftruncate(fd, (off_t)size_b) != 0) abort();
     snprintf(path, sizeof path, "/proc/self/fd/%d", fd);
     return path;
@@ -95,6 +97,7 @@ const char *fuzz_as_named_file(const char *name, const uint8_t *bytes, size_t si
     static char path[sizeof folder.path + 64];
     struct error err;
 
+    inputs_forget(); /* one input after the other is read, and written again */
     if (!folder.path[0] && (!work_folder_make(&folder, &err) || atexit(remove_folder) != 0)) abort();
     snprintf(path, sizeof path, "%s/%s", folder.path, name);
     FILE *file = fopen(path, "wb");

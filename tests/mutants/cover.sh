@@ -1,15 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Finds which lines of firmware/ and hal/ a test program executes: sh tests/mutants/cover.sh NAME. Takes a program that was
+# Finds which lines of what is mutated (MUTATED, a pattern) a test program executes: sh tests/mutants/cover.sh NAME. Takes a program that was
 # built for gcov below $BUILD/mutants/cover and writes $BUILD/mutants/run/NAME, lines "SOURCE LINE OBJECT" of those
 # executed, and $BUILD/mutants/lines/NAME, lines "SOURCE L LINE" and "SOURCE F FIRST LAST" of the lines and functions
 # that could have been; $BUILD/mutants/times/NAME has the processor time that the usual program takes, in
 # seconds, and $BUILD/mutants/sums/NAME what tells the program from a later one. A program that fails here is no judge of mutants: that is said, and ends it.
 set -u
 
-: "${BUILD:?is set by the Makefile}" "${LIMIT_S:=600}"
-state=$BUILD/mutants
+: "${BUILD:?is set by the Makefile}" "${MUTATED:?is set by mutants.sh}" "${LIMIT_S:=600}"
+state=$(cd "$BUILD" && pwd)/mutants # tests change their folder
 cover=$(cd "$state/cover" && pwd)
 into=$state/counts/$1
 
@@ -31,13 +31,13 @@ find "$into" -name '*.gcda' | sed "s|^$into/||; s|\.gcda$||" >"$into.objects"
     (cd "$cover" && find host/hal/linux -name '*.gcno') | sed 's|\.gcno$||' >"$into.objects"
 }
 while read -r object; do
-    # Objects that have nothing of the two folders within them do not matter.
-    grep -qE '(firmware|hal)/' "$cover/$object.gcno" || continue
+    # Objects that have nothing of that within them do not matter.
+    grep -qE "$MUTATED" "$cover/$object.gcno" || continue
     mkdir -p "$into/${object%/*}"
     ln -s "$cover/$object.gcno" "$into/$object.gcno"
     echo "$into/$object.gcda"
 done <"$into.objects" | xargs gcov -t -j 2>"$into.log" | tr '{' '\n' |
-    awk -v all=$all -v lines="$state/lines/$1" -v folder="$into/" '
+    awk -v all=$all -v mutated="^($MUTATED)" -v lines="$state/lines/$1" -v folder="$into/" '
         function number(key) {
             return match($0, "\"" key "\": [0-9]+") ? substr($0, RSTART + length(key) + 4, RLENGTH - length(key) - 4) : ""
         }
@@ -46,11 +46,11 @@ done <"$into.objects" | xargs gcov -t -j 2>"$into.log" | tr '{' '\n' |
         /"file": "/ {
             match($0, /"file": "[^"]*"/)
             file = substr($0, RSTART + 9, RLENGTH - 10)
-            for (i = 1; i <= n && file ~ /^(firmware|hal)\//; i++) {
+            for (i = 1; i <= n && file ~ mutated; i++) {
                 could[file " L " at[i]]
                 if (all || count[i] > 0) did[++done] = file " " at[i]
             }
-            for (i = 1; i <= f && file ~ /^(firmware|hal)\//; i++) could[file " F " first[i] " " last[i]]
+            for (i = 1; i <= f && file ~ mutated; i++) could[file " F " first[i] " " last[i]]
             n = f = 0
         }
         /"data_file": "/ {

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tries one mutant: sh tests/mutants/try.sh NUMBER, a line of $BUILD/mutants/candidates. Makes it in a copy of firmware/ and
-# hal/, compiles what has the line within it, links what executes it and runs that, the fastest first, until a test
+# Tries one mutant: sh tests/mutants/try.sh NUMBER, a line of $BUILD/mutants/candidates. Makes it in a copy of its folder,
+# compiles what has the line within it, links what executes it and runs that, the fastest first, until a test
 # fails or those that passed take BUDGET_S (20) together: what slow tests alone would find counts as alive. What lives
 # runs a fifth as long under the address sanitizer. Leaves a line "OUTCOME NUMBER PLACE OPERATOR BY" in $BUILD/mutants/results/NUMBER. Outcomes:
 #   killed      BY names the test that failed; or it ran into its time limit
@@ -33,8 +33,12 @@ finish() { # OUTCOME BY
 
 rm -rf "$tree"
 mkdir -p "$tree/objects" "$state/results"
-cp -r firmware hal "$tree"
-ln -s "$root/sim" "$root/tests" "$root/boards" "$tree"
+for folder in firmware hal sim tests boards; do
+    case $source in
+    "$folder"/*) cp -r "$folder" "$tree" ;;
+    *) ln -s "$root/$folder" "$tree" ;;
+    esac
+done
 # The text is read from a file: awk takes a backslash in an argument for the beginning of an escape.
 printf '%s\n' "$text" >"$tree/text"
 awk -v line="$line" -v column="$column" -v length_="$length" '

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lim_bytes.h"
 
+#include "base/inputs.h"
 #include "cmocka_ready.h"
 #include "scene/lim_image.h"
 #include "scene/scene_files.h"
@@ -12,6 +13,7 @@ unsigned char *lim_bytes_of(const struct compiled *scene, const char *path)
 {
     struct error err;
 
+    inputs_forget(); /* the file may be written anew */
     if (!lim_file_write(scene, path, &err)) fail_msg("%s", err.text);
     unsigned char *bytes = malloc(scene->image_b);
     FILE *file = fopen(path, "rb");

@@ -230,6 +230,6 @@ bool room_scene_compile_long(const struct room_scene *scene, enum portals_wanted
 {
     struct grid grid;
     struct mesh mesh;
-    return grid_choose_long(&scene->model, 0, &grid, err) && mesh_clean_on(&scene->model, &grid, &mesh, err) &&
-           compile_cleaned(&mesh, portals, core, out, err);
+    return grid_choose_long(&scene->model, &(struct grid_views){0}, &grid, err) &&
+           mesh_clean_on(&scene->model, &grid, &mesh, err) && compile_cleaned(&mesh, portals, core, out, err);
 }

@@ -94,31 +94,39 @@ static struct sizes sizes_of(const struct lim *lim, enum lim_method method)
     return sizes;
 }
 
-static void mark(uint8_t *mem, size_t mem_b, const void *pool, size_t pool_b)
+/* Memory is lent at the widest alignment, and in any number of bytes. */
+static void mark(uint8_t *mem, size_t mem_b, const void *pool, size_t pool_b, size_t align_b)
 {
     const size_t at = (size_t)((const uint8_t *)pool - mem);
 
+    assert_int_equal((uintptr_t)pool % align_b, 0);
     assert_true(at <= mem_b && pool_b <= mem_b - at);
     for (size_t k = 0; k < pool_b; k++)
         assert_int_equal(mem[at + k]++, 0);
 }
 
-/* No byte is in two pools, and none beyond the memory is in one. */
+/* No byte is in two pools, and none beyond the memory is in one; each is aligned. */
 static void check_places(struct lim *lim, enum lim_method method, uint8_t *mem, size_t mem_b)
 {
     const struct sizes sizes = sizes_of(lim, method);
     const struct lim_sorter *sorter = lim->sorter;
 
     memset(mem, 0, mem_b);
-    mark(mem, mem_b, lim->nearest->retained.cells, sizes.shared_b);
-    mark(mem, mem_b, lim->nearest->spans.lines, H_PX * sizeof(struct lim_line));
-    mark(mem, mem_b, lim->nearest->paint.layers->own, sizes.layers * sizeof(struct lim_layer));
-    mark(mem, mem_b, lim->pass.view.cache, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached));
-    if (method == LIM_NEAREST_FIRST) mark(mem, mem_b, lim->pass.walk->stack, 7 * sizeof *lim->pass.walk->stack);
-    if (method != LIM_NEAREST_FIRST) mark(mem, mem_b, sorter->list, sorter->size * sizeof *sorter->list);
+    mark(mem, mem_b, lim->nearest->retained.cells, sizes.shared_b, _Alignof(union lim_retained_cell));
+    mark(mem, mem_b, lim->nearest->spans.lines, H_PX * sizeof(struct lim_line), _Alignof(struct lim_line));
+    mark(mem, mem_b, lim->nearest->paint.layers->own, sizes.layers * sizeof(struct lim_layer),
+         _Alignof(struct lim_layer));
+    mark(mem, mem_b, lim->pass.view.cache, LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached),
+         _Alignof(struct lim_view_cached));
+    if (method == LIM_NEAREST_FIRST)
+        mark(mem, mem_b, lim->pass.walk->stack, 7 * sizeof *lim->pass.walk->stack, _Alignof(struct lim_walk_pending));
+    if (method != LIM_NEAREST_FIRST)
+        mark(mem, mem_b, sorter->list, sorter->size * sizeof *sorter->list, _Alignof(struct lim_sorted));
     if (method != LIM_NEWELL) return;
-    mark(mem, mem_b, sorter->newell->polygons, sorter->size * sizeof *sorter->newell->polygons);
-    mark(mem, mem_b, sorter->newell->cuts, sorter->newell->cut_size * sizeof *sorter->newell->cuts);
+    mark(mem, mem_b, sorter->newell->polygons, sorter->size * sizeof *sorter->newell->polygons,
+         _Alignof(struct lim_newell_polygon));
+    mark(mem, mem_b, sorter->newell->cuts, sorter->newell->cut_size * sizeof *sorter->newell->cuts,
+         _Alignof(struct lim_cut));
 }
 
 static struct sizes share(const struct set *set, enum lim_method method, size_t mem_b)

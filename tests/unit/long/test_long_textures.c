@@ -4,6 +4,7 @@
  * model's own faces; in worlds with things of all sizes, on a ground of 240 km, from near and from far away; and that
  * all orders paint the same. */
 #include "compiler/compile_mesh.h"
+#include "compiler/coordinates.h"
 #include "compiler/faithful.h"
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"
@@ -233,8 +234,8 @@ static void open_stage(struct stage *stage, const struct world *world, const str
     struct error err;
 
     *stage = (struct stage){.world = world, .core = core};
-    if (!faithful_clean(&world->model, &options, &stage->mesh, &err) || !mesh_insert_t_vertices(&stage->mesh, &err) ||
-        !compile_mesh(&stage->mesh, &options, &stage->scene, &err))
+    if (!coordinates_clean(&world->model, &options, &stage->mesh, &err) ||
+        !mesh_insert_t_vertices(&stage->mesh, &err) || !compile_mesh(&stage->mesh, &options, &stage->scene, &err))
         fail_msg("%s", err.text);
     assert_int_equal(stage->scene.grid.is_long, coordinates == COORDINATES_32);
 }

@@ -2,9 +2,9 @@
  *
  * Portals that lead too far: from rooms that are given up everything counts as seen, from others nothing that is seen
  * is left out; and where too large a part is given up, all of it is refused. */
-#include "compiler/flow.h"
-#include "compiler/pvs.h"
 #include "core/core.h"
+#include "portals/flow.h"
+#include "portals/pvs.h"
 #include "render/simulator.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/effort.h"

@@ -2,10 +2,10 @@
  *
  * Cells and portals: no picture changes by them, and what cannot be seen is left out. */
 #include "compiler/compile_mesh.h"
-#include "compiler/flow.h"
-#include "compiler/pvs.h"
 #include "core/core.h"
 #include "eye.h"
+#include "portals/flow.h"
+#include "portals/pvs.h"
 #include "render/simulator.h"
 #include "rigs/closed_scene.h"
 #include "rigs/cmocka_ready.h"

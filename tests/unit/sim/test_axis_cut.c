@@ -184,7 +184,7 @@ static void a_cut_counts_pieces_where_they_are_filed(void **state)
     const uint32_t cut = axis_cut_best(&rig.bsp, weighted(), list, rig.bsp.placed_count, &cost);
     size_t front = 0;
     for (size_t i = 0; i < rig.bsp.placed_count && cut != BSP_NONE; i++)
-        front += bsp_piece_filed(&rig.bsp, &rig.bsp.pieces[list[i]], bsp_plane(&rig.bsp, cut)) == BSP_FRONT;
+        front += bsp_piece_filed(&rig.bsp, &rig.bsp.pieces[list[i]], cut) == BSP_FRONT;
     assert_true(cut == BSP_NONE || front == 3);
     bsp_rig_free(&rig);
     mesh_rig_free(&mesh);

@@ -261,9 +261,8 @@ static void sides_are_those_by_which_pieces_are_filed(void **state)
             sides_find(&sides, group, found);
             for (uint32_t i = 0; i < rig.bsp.piece_count; i++) {
                 const struct bsp_piece *piece = &rig.bsp.pieces[i];
-                const int filed = rig.bsp.coplanar->group[piece->polygon] == group
-                                      ? BSP_ON
-                                      : bsp_piece_filed(&rig.bsp, piece, bsp_plane(&rig.bsp, group));
+                const int filed =
+                    rig.bsp.coplanar->group[piece->polygon] == group ? BSP_ON : bsp_piece_filed(&rig.bsp, piece, group);
                 assert_int_equal(found[i], filed);
                 with[filed]++;
             }

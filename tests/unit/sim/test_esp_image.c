@@ -3,7 +3,7 @@
  * Images for an ESP32-C3, byte by byte as Espressif's "Firmware Image Format" and esp_app_format.h have them; what they
  * are made of, ELF files that are put together here; and SHA-256, by the examples of FIPS 180-2 and its successors. */
 #include "base/sha256.h"
-#include "cli/esp_image.h"
+#include "export/esp_image.h"
 #include "rigs/cmocka_ready.h"
 
 #include <stdio.h>

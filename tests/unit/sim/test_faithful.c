@@ -94,9 +94,7 @@ static void a_box_below_a_unit_is_refused_and_named(void **state)
     expect_refused(&model, &core_fast, "face 2 (0.4 m), 3 (0.4 m), 4 (0.4 m) ...: 6 of 7 faces would vanish");
     model = floor_model();
     add_box(&model, 10.2, 0.4);
-    expect_refused(&model, &core_fast,
-                   "units of 1 m; split the model into several scenes, enlarge what is small, "
-                   "leave it out by --drop-small");
+    expect_refused(&model, &core_fast, "units of 1 m; take --coordinates 32, or leave it out by --drop-small");
 }
 
 static void a_box_that_stays_but_loses_its_shape_is_refused(void **state)
@@ -115,7 +113,7 @@ static void exact_holds_what_its_fractions_hold_and_is_recommended_there(void **
     (void)state;
     struct model model = floor_model();
     add_box(&model, 10.3, 5.4);
-    expect_refused(&model, &core_fast, ", or take --precision exact");
+    expect_refused(&model, &core_fast, "; take --coordinates 32, take --precision exact, or leave");
     model = floor_model();
     add_box(&model, 10.3, 5.4);
     expect_kept(&model, &core_exact);
@@ -144,6 +142,37 @@ static void what_is_on_the_grid_does_not_move(void **state)
     struct model model = floor_model();
     const double low_m[3] = {10, 0, 10}, high_m[3] = {14, 4, 14};
     boxes_add_solid(&model, low_m, high_m); /* four units */
+    expect_kept(&model, &core_fast);
+}
+
+/* Saddles, and an n-gon that is bent twice: as large as a tenth of the floor, and off every plane by more than a grid
+ * unit, as by a tenth of their own size. Their triangles are drawn where they are. */
+static void bent_faces_are_judged_by_their_own_triangles(void **state)
+{
+    (void)state;
+    for (int up = 1; up <= 3000; up *= 10) {
+        const double half = 3000, y = 5, high = y + up;
+        struct model model = floor_model();
+        TINY(&model, {-half, y, -half}, {-half, high, half}, {half, y, half}, {half, high, -half});
+        expect_kept(&model, up % 3 ? &core_fast : &core_exact);
+        model = floor_model();
+        TINY(&model, {-half, y, 0}, {-half, high, half}, {0, y, 2 * half}, {half, high, half}, {half, y, 0},
+             {0, high, -half});
+        expect_kept(&model, &core_fast);
+        model = floor_model();
+        TINY(&model, {-half, y, -half}, {-half, high, half}, {half, y, half}, {half, high, -half});
+        expect_left_out(&model, &core_fast, 0);
+    }
+}
+
+/* The second triangle of a bent face is one with its neighbour: the face has planes in two polygons. */
+static void a_bent_face_may_be_merged_in_parts(void **state)
+{
+    (void)state;
+    struct model model = floor_model();
+    TINY(&model, {0, 9, 0}, {0, 9, 2000}, {2000, 9, 2000}, {2000, 900, 0});
+    TINY(&model, {0, 9, 0}, {-2000, 9, 0}, {0, 9, 2000});
+    TINY(&model, {0, 9, 2000}, {0, 9, 4000}, {2000, 9, 2000});
     expect_kept(&model, &core_fast);
 }
 
@@ -328,6 +357,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_box_below_a_unit_is_refused_and_named),
         cmocka_unit_test(a_box_that_stays_but_loses_its_shape_is_refused),
+        cmocka_unit_test(bent_faces_are_judged_by_their_own_triangles),
+        cmocka_unit_test(a_bent_face_may_be_merged_in_parts),
         cmocka_unit_test(exact_holds_what_its_fractions_hold_and_is_recommended_there),
         cmocka_unit_test(exact_refuses_what_its_planes_do_not_hold),
         cmocka_unit_test(what_is_on_the_grid_does_not_move),

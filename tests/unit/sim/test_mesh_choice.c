@@ -2,6 +2,7 @@
  *
  * Where the compiler draws a model as a mesh: only where it may choose, where that is cheaper, and where it is as right
  * as promised. */
+#include "accuracy/promise.h"
 #include "compiler/mesh_choice.h"
 
 #include "core/core.h"
@@ -125,10 +126,11 @@ static void what_distance_cannot_order_is_not_drawn_by_it(void **state)
 static void profiles_promise_what_the_readme_says(void **state)
 {
     (void)state;
-    assert_true(mesh_choice_promised_percent(NULL) == 0.05);
-    assert_true(mesh_choice_promised_percent(&core_fast) == 0.05);
-    assert_true(mesh_choice_promised_percent(&core_fine) == 0.03);
-    assert_true(mesh_choice_promised_percent(&core_draft) == 0);
+    assert_true(promise_wrong_percent(NULL) == 0.05);
+    assert_true(promise_wrong_percent(&core_fast) == 0.05);
+    assert_true(promise_wrong_percent(&core_fine) == 0.03);
+    assert_true(promise_wrong_percent(&core_exact) == 0.005);
+    assert_true(promise_wrong_percent(&core_draft) == 0);
 }
 
 int main(void)

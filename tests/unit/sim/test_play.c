@@ -163,6 +163,18 @@ static void what_is_chosen_or_changes_nothing_is_told(void **state)
                         "limner: note: --reset: ls013b7dh03 has no reset pin; nothing changes\n");
 }
 
+/* Only its supply would put it out: that is told, and is no failure. */
+static void a_memory_lcd_without_its_pin_of_display_plays(void **state)
+{
+    (void)state;
+    const struct display_module memory_lcd = {.w_px = 128, .h_px = 128};
+    char *argv[] = {"play",        "--panel",  "ls013b7dh03", "--spi", "/dev/spidev0.0", "--select", "GPIO2",
+                    "--test-card", "--frames", "1",           NULL};
+    plug_in("ls013b7dh03", &memory_lcd);
+    assert_int_equal(cmd_play(10, argv), 0);
+    assert_true(fake_is_clean());
+}
+
 static void a_turned_display_shows_it_turned(void **state)
 {
     (void)state;
@@ -336,7 +348,7 @@ static void what_fails_again_and_again_is_given_up(void **state)
     start_player(3);
     rig.bad = PLAYER_FAILURES_MAX;
     assert_false(player_run(&rig.player, &err));
-    assert_string_equal(err.text, "frame 1: the panel's driver failed with -121; given up after 10 failures in a row");
+    assert_string_equal(err.text, "frame 1: Remote I/O error (-121); given up after 10 failures in a row");
     assert_int_equal(rig.count, 0);
     assert_true(glass.chip.dcs.asleep); /* all the same */
 }
@@ -410,11 +422,12 @@ static void a_frame_after_a_fault_is_whole(void **state)
         assert_int_equal(raw[i], expected[i]);
 }
 
-/* While the panel is being set up. */
+static int sent; /* the signal that comes while the panel is being set up */
+
 static int interrupt_reset(void *ctx, bool high)
 {
     const struct pin *wired = ctx;
-    if (!high) raise(SIGINT);
+    if (!high) raise(sent);
     return wired->set(wired->ctx, high);
 }
 
@@ -422,16 +435,16 @@ static int interrupt_reset(void *ctx, bool high)
 static void play_until_interrupted(int told)
 {
     const struct pin wired = emulated_port_reset(fake.display);
-    signal(SIGINT, SIG_DFL); /* whatever the test itself was started with */
+    signal(sent, SIG_DFL); /* whatever the test itself was started with */
     fake.chips[0].lines[4].wire = (struct pin){(void *)(uintptr_t)&wired, interrupt_reset};
     fake.chips[0].lines[3].released = told;
     _exit(play("st7789", "--size 96x72 --offset 11,12 --test-card") + 64);
 }
 
-static void the_program_dies_of_the_signal_after_releasing_all(void **state)
+static void dies_after_releasing_all(int signal_number)
 {
-    (void)state;
     int told[2], status;
+    sent = signal_number;
     char last = 0;
     plug_in("st7789", &glass_module);
     assert_int_equal(pipe(told), 0);
@@ -440,12 +453,20 @@ static void the_program_dies_of_the_signal_after_releasing_all(void **state)
     assert_true(child >= 0);
     if (child == 0) play_until_interrupted(told[1]);
     assert_int_equal(waitpid(child, &status, 0), child);
-    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == signal_number);
     assert_int_equal(write(told[1], "-", 1), 1); /* read() below does not wait, whatever happened */
     assert_int_equal(__real_read(told[0], &last, 1), 1);
     assert_int_equal(last, '0'); /* the backlight was low when its line was let go */
     assert_int_equal(__real_close(told[0]), 0);
     assert_int_equal(__real_close(told[1]), 0);
+}
+
+static void the_program_dies_of_the_signal_after_releasing_all(void **state)
+{
+    (void)state;
+    static const int signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++)
+        dies_after_releasing_all(signals[i]);
 }
 
 /* A signal that comes in the middle of frame 2. */
@@ -474,6 +495,7 @@ int main(void)
         cmocka_unit_test(the_display_shows_what_the_simulator_does),
         cmocka_unit_test(the_mode_of_spi_is_the_modules_unless_it_is_given),
         cmocka_unit_test(what_is_chosen_or_changes_nothing_is_told),
+        cmocka_unit_test(a_memory_lcd_without_its_pin_of_display_plays),
         cmocka_unit_test(a_turned_display_shows_it_turned),
         cmocka_unit_test(the_card_is_right_in_all_rotations),
         cmocka_unit_test(a_scene_is_turned_by_the_camera_where_the_chip_cannot),

@@ -151,6 +151,20 @@ static void a_byte_that_is_cut_is_refused(void **state)
     assert_non_null(strstr(err.text, " 100 ns"));
 }
 
+/* Then no level of the clock has had a beginning and an end. */
+static void no_length_is_told_of_a_clock_with_one_edge(void **state)
+{
+    (void)state;
+    begin(0);
+    assert_true(step(CAPTURE_CS, '1'));
+    assert_true(step(CAPTURE_CS, '0'));
+    assert_true(step(CAPTURE_SCK, '1'));
+    assert_false(step(CAPTURE_CS, '1'));
+    assert_non_null(strstr(err.text, "cs changes after 1 bit of a byte"));
+    assert_non_null(strstr(err.text, "; it has had one edge so far"));
+    assert_null(strstr(err.text, " ns"));
+}
+
 static void bits_before_the_first_boundary_may_be_the_clocks_way_to_its_level(void **state)
 {
     (void)state;
@@ -220,6 +234,7 @@ int main(void)
         cmocka_unit_test(the_light_changes_behind_the_byte),
         cmocka_unit_test(bytes_for_others_are_none),
         cmocka_unit_test(a_byte_that_is_cut_is_refused),
+        cmocka_unit_test(no_length_is_told_of_a_clock_with_one_edge),
         cmocka_unit_test(bits_before_the_first_boundary_may_be_the_clocks_way_to_its_level),
         cmocka_unit_test(unknown_levels_matter_when_they_are_taken),
         cmocka_unit_test(an_unknown_clock_is_where_it_rests),

@@ -2,8 +2,8 @@
  *
  * What an RP2040 and an RP2350 are given: UF2 blocks, field by field as Microsoft's specification has them, and the
  * second stage's checksum, which is the CRC-32/MPEG-2 of the catalogues. */
-#include "cli/uf2.h"
 #include "export/boot2.h"
+#include "export/uf2.h"
 #include "rigs/cmocka_ready.h"
 
 #include <string.h>
