@@ -34,7 +34,20 @@ endif
 # Begins a recipe line whose output must appear as it comes: with +, but not under `make -n`, where + would run it.
 LIVE = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,+)@
 
-.PHONY: all install uninstall extremes soak run view check test test-arm64 test-fixed test-programs models-table tables footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
+# What is like a word, of a list: `= WORD` but for capitals, or `~ WORD`, or nothing; and that as a question.
+nearest = $(shell awk -f sim/tools/nearest.awk -- '$(1)' $(2))
+is_it   = $(foreach meant,$(word 2,$(call nearest,$(1),$(2))),$(comma) is it $(meant)?)
+comma  := ,
+
+# A goal that is no file is one of those below.
+wrong_goal := $(firstword $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal))$(findstring .,$(goal)),,$(goal))))
+ifneq ($(wrong_goal),)
+known_goals := $(shell awk -f sim/tools/goals.awk Makefile boards/image.mk)
+wrong_goal  := $(firstword $(foreach goal,$(filter-out $(known_goals),$(MAKECMDGOALS)),$(if $(findstring /,$(goal))$(findstring .,$(goal)),,$(goal))))
+$(if $(wrong_goal),$(error there is no goal $(wrong_goal)$(call is_it,$(wrong_goal),$(known_goals)); make help lists them))
+endif
+
+.PHONY: first-hour all install uninstall extremes soak run view check test test-arm64 test-fixed test-programs models-table tables footprint tradeoff scale predictions compare bench bench-baseline prove exhaustive fuzz fuzz-coverage mutate format clean help packages force
 .SECONDARY:
 .DELETE_ON_ERROR:
 
@@ -118,13 +131,14 @@ WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wundef -Wmissing-prototypes -Ws
 export WARNINGS
 
 # hidapi reaches bridges by the kernel's hidraw or, with HIDAPI=libusb, past it.
-LIBRARIES = assimp gdlib jansson libarchive libgpiod hidapi-$(HIDAPI) $(if $(filter 1,$(HAVE_SDL2)),sdl2)
+LIBRARIES = assimp gdlib jansson libarchive libgpiod hidapi-$(HIDAPI)
 HAVE_SDL2 = $(shell pkg-config --exists sdl2 && echo 1 || echo 0)
+SDL2      = $(if $(filter 1,$(HAVE_SDL2)),sdl2)
 GPIOD     = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod)))
-FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DLIM_HAVE_SDL2=$(HAVE_SDL2) \
+FLAGS = -std=c11 $(HOST_OPT) $(WARNINGS) -ffp-contract=off -D_POSIX_C_SOURCE=200809L \
 	-DLIM_GPIOD=$(GPIOD) -DSCREEN_STREAMS=1 \
 	-Ifirmware -Ihal -Isim -Iboards/common $(shell pkg-config --cflags $(LIBRARIES)) -MMD -MP
-LINKS = $(shell pkg-config --libs $(LIBRARIES)) -l3MF -lmeshoptimizer -lgmp -lz -lm
+LINKS = $(shell pkg-config --libs $(LIBRARIES) $(SDL2)) -l3MF -lmeshoptimizer -lgmp -lz -lm
 
 progress    = sh sim/tools/progress.sh
 progress_of = $(BUILD)/progress $(progress_count)
@@ -208,6 +222,15 @@ $(BUILD)/host/sources: force
 
 $(call object,sim/base/versions.c): PLACES = -DLIM_SOURCES='"$(shell cat $(BUILD)/host/sources)"'
 $(call object,sim/base/versions.c): $(BUILD)/host/sources
+
+# SDL2, which may come later, is a matter of these files alone.
+SDL2_FLAGS = -DLIM_HAVE_SDL2=$(HAVE_SDL2) $(if $(SDL2),$(shell pkg-config --cflags $(SDL2)))
+$(BUILD)/host/sdl2: force | packages
+	@mkdir -p $(@D)
+	@echo '$(SDL2_FLAGS)' | cmp -s - $@ || echo '$(SDL2_FLAGS)' > $@
+
+$(call object,sim/cli/window.c sim/base/versions.c): PLACES += $(SDL2_FLAGS)
+$(call object,sim/cli/window.c sim/base/versions.c): $(BUILD)/host/sdl2
 
 $(BUILD)/count_plugin.so: sim/targets/count_plugin.c $(BUILD)/host/flags
 	@echo "CC $< (plugin)"
@@ -348,7 +371,7 @@ $(BUILD)/tests/test_output_sets: test_links := $(foreach name,link rename unlink
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
 tests/cli/cli_extremes.sh: $(extremes) $(BUILD)/limner
 tests/cli/cli_bench.sh: $(BUILD)/generate_bench
-tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
+tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/cli/cli_summary.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
 tests/sub_bits.sh: $(BUILD)/limner $(addprefix $(BUILD)/tests/,test_convex test_scanline test_target_errors)
 
 suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh tests/files/cli_*.sh tests/formats/*.sh tests/choices/cli_*.sh)
@@ -422,8 +445,9 @@ tests/kernel.sh: tests-kernel $(kernel_programs)
 tests/arm64.sh: $(kernel_programs)
 tests/foreign.sh: tests-kernel $(kernel_programs) $(BUILD)/tests/foreign/card
 
-unknown := $(filter-out $(ALL_SUITES) slow prove arm64 fixed features sub-bits levels extremes soak,$(suites))
-$(if $(unknown),$(error there is no suite $(unknown); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits levels extremes))
+known_suites := $(ALL_SUITES) slow prove arm64 fixed features sub-bits levels extremes soak all
+unknown := $(filter-out $(known_suites),$(suites))
+$(if $(unknown),$(error there is no suite $(unknown)$(call is_it,$(firstword $(unknown)),$(known_suites)); there are: all $(ALL_SUITES) slow prove arm64 features sub-bits levels extremes))
 
 # By itself it draws all frames, in all suites a part of them.
 ifeq ($(suites),extremes)
@@ -519,6 +543,9 @@ tables: $(if $(filter foreign,$(TABLES)),tests/foreign.sh) $(if $(filter methods
 tables footprint tradeoff scale predictions compare: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages
 	$(LIVE)sh sim/tools/tables.sh --write $(if $(filter tables,$@),$(TABLES),$@)
 
+first-hour: ## [measure] do what README tells a newcomer on a bare Debian, as root, and write its megabytes and minutes; HOURS=no: megabytes alone
+	$(LIVE)sh sim/tools/first_hour.sh
+
 bench: $(BUILD)/limner $(demo) $(dense) $(bench_scenes) packages ## [measure] count instructions and bytes; what changed, and what is lost to others; SCENES="rooms spider": of these
 	$(LIVE)SCENES='$(SCENES)' sh sim/tools/bench.sh
 
@@ -530,6 +557,9 @@ bench-baseline: $(BUILD)/limner $(demo) $(dense) $(bench_scenes) packages ## [me
 boards := $(patsubst boards/%/board.mk,%,$(sort $(wildcard boards/*/board.mk)))
 
 ifdef BOARD
+# In whichever capitals.
+board_is := $(call nearest,$(BOARD),$(boards))
+override BOARD := $(if $(filter =,$(board_is)),$(word 2,$(board_is)),$(BOARD))
 include boards/image.mk
 else
 flash emulate cost rules:
@@ -555,9 +585,9 @@ progress_count   := $(if $(filter $(shell test $(progress_missing) -ge 100 && ec
 format: packages ## [care] lay out every C file by .clang-format
 	@find firmware hal boards sim tests -name '*.[ch]' -exec clang-format -i {} +
 
-PREFIX  := /usr/local
+PREFIX  := $(if $(filter command,$(firstword $(origin prefix))),$(prefix),/usr/local)
 DESTDIR :=
-install: $(BUILD)/limner ## [care] install limner, its manual page and completion for bash; PREFIX=/usr/local DESTDIR=
+install: $(BUILD)/limner ## [care] install limner, its manual page and completion for bash; PREFIX=/usr/local, or prefix=, and DESTDIR=
 	$(LIVE)PREFIX='$(PREFIX)' DESTDIR='$(DESTDIR)' sh sim/tools/install.sh install
 
 uninstall: ## [care] take away what make install has put there, with the same PREFIX and DESTDIR

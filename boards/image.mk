@@ -15,7 +15,7 @@
 #              --overlay: frames show their number
 
 board_folder := boards/$(BOARD)
-$(if $(filter $(boards),$(BOARD)),,$(error there is no board $(BOARD); there are: $(boards)))
+$(if $(filter $(boards),$(BOARD)),,$(error there is no board $(BOARD)$(call is_it,$(BOARD),$(boards)); there are: $(boards)))
 
 # Flags that make the processor's code, and what makes an image of objects; a board may say otherwise.
 STANDARD := -std=c11 -ffreestanding
@@ -26,7 +26,6 @@ LINES    := 1
 STREAM   := no
 WALLS    := no
 TITLE     = $(BOARD)$(if $(filter --framebuffer,$(COMPILE)),$(comma) framebuffer)
-comma    := ,
 START    := boards/common/bare_image.c
 LINK      = -nostdlib -Lboards/common -T $(board_folder)/memory.ld -Wl,--defsym=image_stack_b=0
 LAST     := -lgcc
@@ -106,7 +105,7 @@ $(freedoom): | packages ;
 $(folder)/model.lim: $(folder)/module.c $(sources_of_model) $(BUILD)/limner
 	@echo "SCENE $(model)"
 	@rm -f $(folder)/model*.c $(folder)/model*.o
-	@$(BUILD)/limner compile $(model) -o $(folder)/model $(options) --panel $(PANEL) $(COMPILE) > $(folder)/report
+	@$(BUILD)/limner compile $(model) -o $(folder)/model --report $(options) --panel $(PANEL) $(COMPILE) > $(folder)/report
 
 $(walk): $(wads) $(BUILD)/limner
 	@mkdir -p $(@D)

@@ -27,5 +27,5 @@ bool error_prefix(struct error *err, const char *thing)
 
 bool error_no_option(struct error *err, const char *given)
 {
-    return error_set(err, "%s: no such option here; --help lists those that there are", given);
+    return error_set(err, "%s: no such option here; --help all lists those that there are", given);
 }

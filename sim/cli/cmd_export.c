@@ -159,7 +159,6 @@ static bool parse(struct arguments *arguments, struct export_request *out, struc
     out->world = world_find(world, err);
     if (!out->world || !take_folder(out, folder, err) || !take_module(out, arguments, err)) return false;
     if (!compile_request_parse(arguments->count, arguments->items, &out->compile, err)) return false;
-    if (out->compile.report_only) return error_no_option(err, "--report");
     out->compile.name = out->path;
     return fit_to_module(out, err);
 }

@@ -13,6 +13,7 @@
 #include "levels/level_path.h"
 #include "measure/measure_request.h"
 #include "measure/measure_table.h"
+#include "measure/measure_tools.h"
 #include "measure/result_file.h"
 #include "measure/shimmer.h"
 #include "outputs/outputs.h"
@@ -219,8 +220,8 @@ static bool write_folder(struct measurement *measurement, struct error *err)
     const bool with_cost = measurement->table.cpu_count > 0;
     return write_table(measurement, "measure.md", measure_table_markdown, err) &&
            write_table(measurement, "measure.csv", measure_table_csv, err) &&
-           (!with_cost ||
-            (write_table(measurement, "stages.csv", measure_table_stages_csv, err) && write_plot(measurement, err)));
+           (!with_cost || (write_table(measurement, "stages.csv", measure_table_stages_csv, err) &&
+                           (measurement->request.no_plot || write_plot(measurement, err))));
 }
 
 static bool write_files(struct measurement *measurement, struct error *err)
@@ -237,6 +238,7 @@ static void note_cameras(const struct camera_choice *cameras)
 static bool run(struct measurement *measurement, struct error *err)
 {
     note_cameras(&measurement->request.cameras);
+    measure_tools_fit(&measurement->request);
     const bool ok = measure_request_check(&measurement->request, err) && work_folder_make(&measurement->folder, err) &&
                     measure_request_load_variants(&measurement->request, measurement->folder.path, err) &&
                     prepare(measurement, err) && measure_all(measurement, err) && write_files(measurement, err);

@@ -100,7 +100,7 @@ static bool *flag_of(int code, struct compile_request *out)
     case OPTION_FRAMEBUFFER:
         return &out->compile.framebuffer;
     case OPTION_REPORT:
-        return &out->report_only;
+        return &out->report;
     default:
         return NULL;
     }
@@ -277,6 +277,13 @@ static void note_idle(const struct compile_request *request, const struct compil
                                                  .was_still = !moving && !stopped});
 }
 
+static void print_summaries(const struct compile_request *request, const struct compile_result *result)
+{
+    for (size_t i = 0; i < result->count; i++)
+        compile_summary_print(&result->scenes[i], &result->moving[i],
+                              request->name ? result->names[i] : request->models[i]);
+}
+
 static void print_reports(const struct compile_request *request, const struct compile_result *result)
 {
     for (size_t i = 0; i < result->count; i++) {
@@ -329,7 +336,14 @@ static void note_textures(const struct compile_request *request, const struct co
 void compile_result_report(const struct compile_request *request, const struct compile_result *result)
 {
     note_idle(request, result);
+<<<<<<< HEAD
     note_textures(request, result);
+=======
+    if (!request->report) {
+        print_summaries(request, result);
+        return;
+    }
+>>>>>>> hour
     print_reports(request, result);
     print_effort();
 }

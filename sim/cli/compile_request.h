@@ -22,8 +22,8 @@ struct compile_request {
     struct choice_bound bound; /* of --max-error and its like */
     struct moving_options movers;
     struct idle_options idle; /* given ones, that may change nothing */
-    bool report_only;
-    bool has_lim; /* NAME.lim is written as well */
+    bool report;              /* tell all that there is to say, not only the summary */
+    bool has_lim;             /* NAME.lim is written as well */
 };
 
 /* What becomes of the models, one to one. */
@@ -41,7 +41,7 @@ bool compile_request_parse(int argc, char **argv, struct compile_request *out, s
 /* Chooses a precision if a bound asks for one, and compiles all models. compile_result_free() in any case. */
 bool compile_request_run(struct compile_request *request, struct compile_result *out, struct error *err);
 
-/* What the options did not change, and what the scenes cost. */
+/* What the options did not change, and what the scenes cost: a summary, or with --report all. */
 void compile_result_report(const struct compile_request *request, const struct compile_result *result);
 
 void compile_result_free(struct compile_result *result);

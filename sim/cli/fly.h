@@ -60,6 +60,9 @@ enum flight_end {
     FLIGHT_FAILED      /* err says why */
 };
 
+/* Whether this program has SDL2, without which it opens no window. */
+extern const bool window_is_built;
+
 /* Flies in an SDL2 window. */
 enum flight_end window_fly(struct flight *flight, struct error *err);
 

@@ -24,37 +24,25 @@ static const struct command {
     int (*run)(int argc, char **argv);
     bool reads_models; /* takes what all such take */
     bool has_limit;    /* takes --time-limit */
-} COMMANDS[] = {{"compile", cmd_compile, true, true},
-                {"render", cmd_render, true, true},
-                {"view", cmd_view, true, true},
-                {"measure", cmd_measure, true, true},
-                {"compare", cmd_compare, true, true},
-                {"splitters", cmd_splitters, true, true},
-                {"sweep", cmd_sweep, false, false},
-                {"play", cmd_play, true, true},
-                {"devices", cmd_devices, false, false},
-                {"bridge", cmd_bridge, false, false},
-                {"module", cmd_module, false, false},
-                {"card", cmd_card, false, false},
-                {"decode", cmd_decode, false, true},
-                {"hashes", cmd_hashes, false, false},
-                {"uf2", cmd_uf2, false, false},
-                {"espimage", cmd_espimage, false, false},
-                {"boot2", cmd_boot2, false, false},
-                {"report-bug", cmd_report_bug, true, true},
-                {"replay", cmd_replay, true, true},
-                {"export", cmd_export, true, true},
-                {"worst", cmd_worst, true, true},
-                {"report", cmd_report, true, true},
-                {"wad", cmd_wad, false, false},
-                {"walk", cmd_walk, true, true}};
+} COMMANDS[] = {{"compile", cmd_compile, true, true},   {"render", cmd_render, true, true},
+                {"view", cmd_view, true, true},         {"measure", cmd_measure, true, true},
+                {"compare", cmd_compare, true, true},   {"splitters", cmd_splitters, true, true},
+                {"sweep", cmd_sweep, false, false},     {"play", cmd_play, true, true},
+                {"devices", cmd_devices, false, false}, {"bridge", cmd_bridge, false, false},
+                {"module", cmd_module, false, false},   {"card", cmd_card, false, false},
+                {"decode", cmd_decode, false, true},    {"hashes", cmd_hashes, false, false},
+                {"uf2", cmd_uf2, false, false},         {"espimage", cmd_espimage, false, false},
+                {"boot2", cmd_boot2, false, false},     {"report-bug", cmd_report_bug, true, true},
+                {"replay", cmd_replay, true, true},     {"export", cmd_export, true, true},
+                {"worst", cmd_worst, true, true},       {"report", cmd_report, true, true},
+                {"wad", cmd_wad, false, false},         {"walk", cmd_walk, true, true}};
 
 static bool asks_for_help(const char *argument)
 {
     return strcmp(argument, "help") == 0 || strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0;
 }
 
-/* Where options may stand; `limner COMMAND help` will do, too. */
+/* Where options may stand, perhaps with `all` behind; `limner COMMAND help` will do, too. */
 static bool has_help_option(int argc, char **argv)
 {
     if (argc == 3 && asks_for_help(argv[2])) return true;
@@ -72,11 +60,11 @@ static int no_command(const char *name)
 }
 
 /* For `make install`. */
-static int help_with(const char *name)
+static int help_with(const char *name, bool all)
 {
     if (strcmp(name, "--man") == 0) return man_page_print(stdout), EXIT_SUCCESS;
     if (strcmp(name, "--bash-completion") == 0) return completion_print(stdout), EXIT_SUCCESS;
-    return usage_print_command(name, stdout) ? EXIT_SUCCESS : no_command(name);
+    return usage_print_command(name, all, stdout) ? EXIT_SUCCESS : no_command(name);
 }
 
 /* The time runs from here. */
@@ -115,8 +103,9 @@ static int run(int argc, char **argv)
         printf("limner %d.%d.%d\n", LIM_VERSION_MAJOR, LIM_VERSION_MINOR, LIM_VERSION_PATCH);
         return EXIT_SUCCESS;
     }
-    if (asks_for_help(argv[1])) return help_with(argv[2]);
-    if (has_help_option(argc, argv)) return help_with(argv[1]);
+    const bool all = strcmp(argv[argc - 1], "all") == 0;
+    if (asks_for_help(argv[1])) return help_with(argv[2], all);
+    if (has_help_option(argc, argv)) return help_with(argv[1], all);
     for (size_t i = 0; i < sizeof COMMANDS / sizeof COMMANDS[0]; i++)
         if (strcmp(argv[1], COMMANDS[i].name) == 0) return run_command(&COMMANDS[i], argc - 1, argv + 1);
     return no_command(argv[1]);

@@ -36,6 +36,7 @@ enum option_code {
     OPTION_CAMERA,
     OPTION_SIZE,
     OPTION_PANEL,
+    OPTION_ROTATE,
     OPTION_METHOD,
     OPTION_TOLERANCE,
     OPTION_BACKGROUND,
@@ -74,6 +75,7 @@ static const struct option OPTIONS[] = {
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"size", required_argument, NULL, OPTION_SIZE},
     {"panel", required_argument, NULL, OPTION_PANEL},
+    {"rotate", required_argument, NULL, OPTION_ROTATE},
     {"method", required_argument, NULL, OPTION_METHOD},
     {"precision", required_argument, NULL, OPTION_PRECISION},
     {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
@@ -225,6 +227,8 @@ static bool parse_option(int code, const char *text, struct options *out, struct
         return parse_size(text, &out->setup.w_px, &out->setup.h_px, err);
     case OPTION_PANEL:
         return parse_panel(text, out, err);
+    case OPTION_ROTATE:
+        return panel_rotation_parse(text, &out->rotation, err);
     case OPTION_METHOD:
         return parse_method(text, out, err);
     case OPTION_NEWELL:
@@ -320,13 +324,24 @@ static bool settle_frames(struct options *options, struct error *err)
                      options->frame_pattern, count);
 }
 
-/* Without --size a panel has its usual glass. */
-static void settle_size(struct options *options)
+static void settle_glass(struct options *options)
 {
     struct simulator_setup *setup = &options->setup;
     if (setup->w_px) return;
     setup->w_px = setup->h_px = UNSAID_SIZE_PX;
     if (setup->panel == SIMULATOR_PANEL) module_usual_size(&options->panel, &setup->w_px, &setup->h_px);
+}
+
+/* Without --size a panel has its usual glass. A picture that is turned by a quarter has the glass's sides exchanged. */
+static void settle_size(struct options *options)
+{
+    struct simulator_setup *setup = &options->setup;
+    settle_glass(options);
+    options->panel.rotation = options->rotation;
+    if (!panel_rotation_exchanges(options->rotation)) return;
+    const unsigned w_px = setup->w_px;
+    setup->w_px = setup->h_px;
+    setup->h_px = w_px;
 }
 
 /* A panel is emulated wherever its memory holds the picture. */

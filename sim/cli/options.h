@@ -20,7 +20,8 @@ struct options {
     struct simulator_ram ram;
     size_t frames; /* how many are drawn; 0: not said */
     struct simulator_setup setup;
-    struct panel_choice panel; /* for SIMULATOR_PANEL */
+    struct panel_choice panel;    /* for SIMULATOR_PANEL */
+    enum panel_rotation rotation; /* of the picture on the glass that --size is of */
     struct compile_options compile;
     struct lim_wireframe wireframe;
     uint16_t delta_runs; /* 0: every frame is sent whole */
@@ -44,8 +45,8 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
 void options_settle_panel(struct options *options, const struct panel_choice *panel);
 
 /* Reads or plans the cameras and reads the scene: a .lim file as it is, anything else compiled as `limner compile` does
- * it, and sets setup.method to what that chose. Options that change nothing for that scene are told. `moving`: NULL, nothing moves. *scene, *moving and
- * *path must be zero and are the caller's to free, also after a failure. */
+ * it, and sets setup.method to what that chose. Options that change nothing for that scene are told. `moving`: NULL,
+ * nothing moves. *scene, *moving and *path must be zero and are the caller's to free, also after a failure. */
 bool options_load(struct options *options, struct compiled *scene, struct moving *moving, struct lens *lens,
                   struct camera_path *path, struct error *err);
 

@@ -12,8 +12,6 @@
 #include <termios.h>
 #include <unistd.h>
 
-static const char NOWHERE[] =
-    "view: neither a window nor a terminal to fly in; `limner render` draws frames into files";
 static const char UPPER_HALF_BLOCK[] = "\xE2\x96\x80";
 
 static void print_cell(int above, int below, FILE *out)
@@ -108,11 +106,18 @@ static bool fly_by_keys(struct flight *flight, struct error *err)
     return ok;
 }
 
+static bool nowhere(struct error *err)
+{
+    const char *why = window_is_built ? "" : " (built without SDL2: Debian's package libsdl2-dev, then make)";
+    return error_set(
+        err, "view: neither a window%s nor a terminal to fly in; limner render MODEL --gif x.gif draws a file", why);
+}
+
 enum flight_end terminal_fly(struct flight *flight, struct error *err)
 {
     struct termios before;
     if (!isatty(STDOUT_FILENO) || tcgetattr(STDIN_FILENO, &before) != 0) {
-        const bool ok = dump_is_asked() ? show(flight, err) : error_set(err, "%s", NOWHERE);
+        const bool ok = dump_is_asked() ? show(flight, err) : nowhere(err);
         return ok ? FLIGHT_ENDED : FLIGHT_FAILED;
     }
     struct termios raw = before;

@@ -37,12 +37,13 @@ enum {
     SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG | EXPORT,
     MODELS = SCENES | MEASURE | COMPARE | SPLITTERS | ONE,
     MODULES = PLAY | MODULE | CARD | DECODE | EXPORT,
-    ALONE = 1 << 30 /* in a command's own help alone: the whole has said it in a heading */
+    FIRST = 1 << 29, /* what most people want to know: a command's help begins with it, and without `all` ends there */
+    ALONE = 1 << 30  /* in a command's own help alone: the whole has said it in a heading */
 };
 
 static const struct usage_command COMMANDS[] = {
     {"compile", "MODEL... -o NAME",
-     "Compiles a model for firmware: NAME.c, NAME.h and NAME.lim, and a report. Several models share NAME.h.",
+     "Compiles a model for firmware: NAME.c, NAME.h and NAME.lim, and a summary. Several models share NAME.h.",
      "limner compile house.obj --size 240x240 --precision fine -o house"},
     {"render", "MODEL|SCENE.lim", "Draws frames into files.",
      "limner render house.obj --camera walk.cam --gif walk.gif --stats"},
@@ -102,7 +103,7 @@ static const struct usage_command COMMANDS[] = {
 static const struct usage_entry ENTRIES[] = {
     {0, "compile, render, view and measure, for a MODEL, which all draw as compile decides with the same options;\n"
         "compare and splitters take some of these, below:\n"},
-    {SCENES | ONE, "  --precision NAME    draft, fast, fine or exact (fast)\n"},
+    {SCENES | ONE | FIRST, "  --precision NAME    draft, fast, fine or exact (fast)\n"},
     {SCENES | MEASURE | ONE,
      "  --method NAME       nearest, painter, convex for one convex solid, scanline for flat scenes of which\n"
      "                      little is hidden (chosen if cheaper); nearest first with a tree of\n"
@@ -128,13 +129,13 @@ static const struct usage_entry ENTRIES[] = {
     {SCENES | SPLITTERS,
      "  --tolerance UNITS   how far a polygon may be off a plane that it lies on (0.5; in 1/256 of\n"
      "                      them where units are too large for the smallest faces)\n"},
-    {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS | ONE,
+    {COMPILE | RENDER | VIEW | REPORT_BUG | MEASURE | COMPARE | SPLITTERS | ONE | FIRST,
      "  --size WxH          of the panel, 1 to 1024 pixels each (240x240; compile, render, view: that of --panel)\n"},
     {MODELS, "  --near M            distance of the near plane, metres (0.1; more in scenes of more than 2 km;\n"
              "                      less with coordinates of 32 bits: 16 units)\n"},
     {MODELS | WALK,
      "  --drop-small        leave out what is too small for the scene's grid, instead of refusing the model\n"},
-    {MODELS | WALK,
+    {MODELS | WALK | FIRST,
      "  --up y|z            which axis of the file is up (y; of STL files what the model stands on, else z)\n"
      "  --reverse-faces     the file's faces run clockwise, seen from outside\n"
      "  --two-sided         all faces are seen from both sides, as those of open models may have to be\n"},
@@ -190,78 +191,85 @@ static const struct usage_entry ENTRIES[] = {
     {COMPILE | EXPORT | RENDER | REPORT_BUG,
      "  --mover-light NAME  baked into its colours where the file has it, or turning: lit in each frame (baked)\n"},
     {0, "compile only:\n"},
-    {COMPILE | ALONE, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
+    {COMPILE | ALONE | FIRST, "  -o NAME             NAME.c, NAME.h and NAME.lim\n"},
     {COMPILE | EXPORT | MEASURE | COMPARE | SPLITTERS | ONE,
      "  --keep-faces        do not merge coplanar neighbours of one colour\n"},
-    {COMPILE,
+    {COMPILE | FIRST,
      "  --panel NAME        a chip, as render's --panel: its size, and if it is black and white light and tones\n"
      "                      that can be told apart there\n"},
     {COMPILE | EXPORT, "  --round             for round glass: what it does not show is left out\n"},
     {COMPILE | EXPORT,
      "  --fill              for boards that keep the whole picture in pixels of their own, as greys: fewer "
      "instructions\n"},
-    {COMPILE, "  --report            without -o: only report\n"},
-    {COMPILE | EXPORT, "  --max-error P%      the cheapest precision with at most P % wrong pixels\n"},
+    {COMPILE | EXPORT | FIRST,
+     "  --report            all that there is to say of the scene, not ten lines; compile without -o writes nothing\n"},
+    {COMPILE | EXPORT | FIRST, "  --max-error P%      the cheapest precision with at most P % wrong pixels\n"},
     {COMPILE | EXPORT, "  --max-vertex-error Ppx  the same for the largest error of a vertex\n"},
-    {COMPILE | EXPORT,
+    {COMPILE | EXPORT | FIRST,
      "  --fov DEG           the narrowest vertical field of view that the program has: with less than 14 degrees,\n"
      "                      whichever way, firmware is as exact through such lenses (60)\n"},
-    {COMPILE | EXPORT,
+    {COMPILE | EXPORT | FIRST,
      "  --camera FILE       or random:SEED[:FRAMES]: where that must hold (cameras sampled in the scene's "
      "free space)\n"},
     {COMPILE | EXPORT, "  --core NAME         whose instructions count: m0plus, m3, m4, m33, rv32 (fewest bits)\n"},
     {0, "render and view:\n"},
-    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | PAGE,
+    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | PAGE | FIRST,
      "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames); or\n"
      "                      random:SEED[:FRAMES], at random in the scene's free space (64 frames); or near:...,\n"
      "                      the same near the model's faces, small ones as often as large ones; or FILE.wad:MAP,\n"
      "                      where a map's players and things stand (16 of them, of such a MODEL); or a .gltf or .glb\n"
      "                      file: its cameras\n"},
-    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | ONE,
+    {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | ONE | FIRST,
      "  --fov DEG           vertical field of view (60; very wide pictures: what is 60 across)\n"},
-    {RENDER | VIEW | REPORT_BUG,
+    {RENDER | VIEW | REPORT_BUG | FIRST,
      "  --panel NAME        of an emulated chip: gc9a01, ili9341, ili9488, ssd1351, st7735, st7789, st7796,\n"
      "                      perhaps with :rgb444 or :rgb666; 16 greys: ssd0323, ssd1327; black and white:\n"
      "                      pcd8544, sh1106, ssd1306, st7567, uc1701; memory LCDs: ls013b7dh03, ls027b7dh01;\n"
      "                      or memory (st7789 where the size fits into it); or framebuffer, memory that the\n"
      "                      renderer paints into polygon by polygon\n"},
+    {RENDER | VIEW | REPORT_BUG | FIRST,
+     "  --rotate DEG        the picture, clockwise, on glass of --size: 90 and 270 exchange its sides (0)\n"},
     {0, "render only:\n"},
-    {RENDER, "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for), or house.png: "
-             "one frame;\n"
-             "                      house.gif: as --gif\n"},
+    {RENDER | FIRST,
+     "  -o PATTERN          a PNG file a frame ('out/%03d.png' if nothing else is asked for), or house.png: "
+     "one frame;\n"
+     "                      house.gif: as --gif\n"},
     {RENDER | REPORT_BUG,
      "  --ram BYTES         the renderer's memory, or P% of what its pools would take: with less of it frames cost\n"
-     "                      more (--stats), and are the same\n"
+     "                      more (--stats), and are the same\n"},
+    {RENDER | REPORT_BUG | FIRST,
      "  --frames N          so many: of an orbit, or the first ones of other cameras (all; of an orbit 16, or\n"
      "                      as many as all that moves takes)\n"},
-    {RENDER | REPORT_BUG, "  --gif FILE          all frames, animated; without --camera its end meets its beginning\n"},
+    {RENDER | REPORT_BUG | FIRST,
+     "  --gif FILE          all frames, animated; without --camera its end meets its beginning\n"},
     {RENDER | REPORT_BUG, "  --sheet FILE        up to 24 frames in one PNG file\n"},
     {RENDER | REPORT_BUG,
      "  --ids FILE          face numbers: uint32 little-endian a pixel, 0 = background; merges no faces\n"},
     {RENDER | REPORT_BUG, "  --fps N             frames a second of what moves, and of --gif (15)\n"},
     {RENDER | REPORT_BUG,
      "  --overlay TEXT      a text over each frame, as firmware draws it; each # in it becomes the frame's number\n"},
-    {RENDER | REPORT_BUG, "  --stats             what each frame cost\n"},
-    {RENDER | REPORT_BUG, "  --brief             --stats and --compare without a line a frame: mean and worst\n"},
+    {RENDER | REPORT_BUG | FIRST, "  --stats             what each frame cost\n"},
+    {RENDER | REPORT_BUG | FIRST,
+     "  --brief             --stats and --compare without a line a frame: mean and worst\n"},
     {RENDER | REPORT_BUG,
      "  --newell LIST       planes: compare with planes before rectangles; one: split one of two;\n"
      "                      most=N: at most so many comparisons a frame (256 times the square of the polygons)\n"},
-    {RENDER | REPORT_BUG, "  --compare           how each frame differs from the double-precision reference\n"},
+    {RENDER | REPORT_BUG | FIRST, "  --compare           how each frame differs from the double-precision reference\n"},
     {RENDER | REPORT_BUG, "  --write-hashes FILE a hash a frame\n"},
     {RENDER | REPORT_BUG, "  --write-cameras FILE  the cameras as a C header, for firmware of this scene\n"},
     {RENDER | REPORT_BUG, "  --check FILE        compare with such a file; exit status 1 if a frame differs\n"},
     {0, "measure:\n"},
     {0, "  --camera, --size, --fov, --near, --unlit, --keep-faces, --method, --tree, --splitter, --delta as above\n"},
-    {MEASURE,
+    {MEASURE | FIRST,
      "  -o DIR              measure.md, measure.csv, stages.csv and measure.png; their column shimmer is the share\n"
      "                      of changing pixels that have their colour back within 3 frames, of a turn of 0.011\n"
      "                      degrees a frame and of a walk of 1 mm a frame\n"},
-    {MEASURE,
+    {MEASURE | FIRST,
      "  --precision LIST    names, divided by commas (the four profiles); fast_4: fast with 4 sub-pixel bits\n"},
     {MEASURE, "  --sub-bits          fast_4, fast_5, fast_8 and fine_6, too: each is compiled first\n"},
-    {MEASURE, "  --core LIST         processors: m0plus, m3, m4, m33, rv32 (all)\n"},
+    {MEASURE | FIRST, "  --core LIST         processors: m0plus, m3, m4, m33, rv32 (all)\n"},
     {MEASURE, "  --optimise NAME     what the code is for: speed, balance or size (speed: -O2; the others: -Os)\n"},
-    {MEASURE | COMPARE, "  --no-cost           accuracy only: takes neither compilers nor emulators\n"},
+    {MEASURE | COMPARE | FIRST, "  --no-cost           accuracy only: takes neither compilers nor emulators\n"},
     {MEASURE | ALONE,
      "  --result FILE       its figures in one file, for `limner sweep --merge`, with hashes of all that was read\n"},
     {0, "sweep, which takes what measure takes, but for --result, for all of its jobs:\n"},
@@ -274,46 +282,52 @@ static const struct usage_entry ENTRIES[] = {
      "                      version, or of files that have changed since\n"},
     {0, "compare:\n"},
     {0, "  --camera, --size, --fov, --near, --unlit, --keep-faces, --no-cost as above\n"},
-    {COMPARE, "  -o DIR              compare.md, compare.csv, and in red what is wrong: sheet.png, METHOD.png\n"},
-    {COMPARE, "  --precision NAME    (fast)\n"},
-    {COMPARE, "  --core LIST         processors (m0plus,m4); without their tools: dashes\n"},
+    {COMPARE | FIRST,
+     "  -o DIR              compare.md, compare.csv, and in red what is wrong: sheet.png, METHOD.png\n"},
+    {COMPARE | FIRST, "  --precision NAME    (fast)\n"},
+    {COMPARE | FIRST, "  --core LIST         processors (m0plus,m4); without their tools: dashes\n"},
     {COMPARE, "  --frames N          of the cameras, evenly chosen (all)\n"},
     {COMPARE, "  --cost-frames N     of these, for instructions (4)\n"},
     {0, "worst and report take what compile takes of a scene, --camera (report) and --fov as above, and:\n"},
-    {WORST | ALONE,
+    {WORST | ALONE | FIRST,
      "  -o PATH             PATH.cam, for render, PATH-cost.png, PATH-error.png and PATH-difference.png\n"},
-    {PAGE | ALONE, "  -o FILE.html        the page: one file, which loads nothing\n"},
-    {ONE, "  --seconds S         how long to search (20; with --tries or without --time-limit: as long as all tries)\n"
-          "  --tries N           cameras for what costs most, a tenth as many for what errs most (2000)\n"
-          "  --seed N            of the search (0)\n"},
-    {ONE | ALONE, "  --core LIST         processors to count instructions on: m0plus, m3, m4, m33, rv32 (none)\n"},
+    {PAGE | ALONE | FIRST, "  -o FILE.html        the page: one file, which loads nothing\n"},
+    {ONE | FIRST,
+     "  --seconds S         how long to search (20; with --tries or without --time-limit: as long as all tries)\n"
+     "  --tries N           cameras for what costs most, a tenth as many for what errs most (2000)\n"
+     "  --seed N            of the search (0)\n"},
+    {ONE | ALONE | FIRST,
+     "  --core LIST         processors to count instructions on: m0plus, m3, m4, m33, rv32 (none)\n"},
     {0, "walk, which takes what says how a MODEL is to be read:\n"},
-    {WALK, "  -o FILE.cam         the cameras, a line a frame\n"
-           "  --frames N          so many (256)\n"
-           "  --stride M          from one to the next, metres (0.25)\n"
-           "  --from X,Y,Z        where the eye begins, over ground (a map's first player; else where most can be\n"
-           "                      reached from)\n"
-           "  --heading DEG       where it looks then: 0 along -z, 90 along -x (0)\n"
-           "  --eye M             above its feet (1.6; in maps, as the next three, a player's: 1.28)\n"
-           "  --height M          of the walker (1.75)\n"
-           "  --radius M          half of its width, which is more than what the near plane reaches (0.25; 0.5)\n"
-           "  --step M            how high a step it climbs (0.4; 0.75)\n"},
+    {WALK | FIRST,
+     "  -o FILE.cam         the cameras, a line a frame\n"
+     "  --frames N          so many (256)\n"
+     "  --stride M          from one to the next, metres (0.25)\n"
+     "  --from X,Y,Z        where the eye begins, over ground (a map's first player; else where most can be\n"
+     "                      reached from)\n"
+     "  --heading DEG       where it looks then: 0 along -z, 90 along -x (0)\n"
+     "  --eye M             above its feet (1.6; in maps, as the next three, a player's: 1.28)\n"
+     "  --height M          of the walker (1.75)\n"
+     "  --radius M          half of its width, which is more than what the near plane reaches (0.25; 0.5)\n"
+     "  --step M            how high a step it climbs (0.4; 0.75)\n"},
     {0, "splitters: --tree, --tolerance, --size, --near, --unlit, --keep-faces as above\n"},
     {0, "play: what view takes, but for a MODEL's own panel; loops until it is ended, unless there is --frames\n"},
-    {MODULES, "  --panel NAME        the display's controller, as render's --panel, perhaps with a format\n"},
-    {PLAY, "  --spi DEVICE        as /dev/spidev0.0\n"},
-    {PLAY, "  --hid [SERIAL]      instead: a USB-HID bridge, MCP2210 (the only one; =SERIAL if it is no number);\n"
-           "                      its lines are GP0 to GP8\n"},
+    {MODULES | FIRST, "  --panel NAME        the display's controller, as render's --panel, perhaps with a format\n"},
+    {PLAY | FIRST, "  --spi DEVICE        as /dev/spidev0.0\n"},
+    {PLAY | FIRST,
+     "  --hid [SERIAL]      instead: a USB-HID bridge, MCP2210 (the only one; =SERIAL if it is no number);\n"
+     "                      its lines are GP0 to GP8\n"},
     {PLAY, "  --cs LINE           of a bridge: chip select (tied low)\n"},
-    {PLAY, "  --dc, --reset, --backlight, --te, --select LINE  GPIO lines by name or CHIP:NUMBER (not wired)\n"},
+    {PLAY | FIRST,
+     "  --dc, --reset, --backlight, --te, --select LINE  GPIO lines by name or CHIP:NUMBER (not wired)\n"},
     {MODULES, "  --hz N, --mode 0-3  of the bus (as is usual with that controller)\n"},
     {PLAY, "  --no-cs, --cs-high  what the bus selects with\n"},
-    {MODULES, "  --size WxH          of the glass, upright\n"},
+    {MODULES | FIRST, "  --size WxH          of the glass, upright\n"},
     {MODULES, "  --offset X,Y        of the glass's corner in the chip's memory\n"},
     {MODULES,
      "  --memory WxH        what the module's mode pins leave of the chip's memory (as is usual for that size)\n"},
     {MODULES, "  --start-line N      memory's line that the glass begins with, where the chip is told one (0)\n"},
-    {MODULES, "  --rotate DEG        the picture, clockwise\n"},
+    {MODULES | FIRST, "  --rotate DEG        the picture, clockwise\n"},
     {MODULES, "  --mirror            the picture's left and right exchanged\n"},
     {MODULES, "  --mirror-columns, --mirror-rows  of the glass, however the picture is turned\n"},
     {MODULES, "  --bgr, --rgb, --invert, --no-invert  if colours are wrong (as is usual with that controller)\n"},
@@ -321,9 +335,9 @@ static const struct usage_entry ENTRIES[] = {
     {MODULES, "  --wiring sequential|alternative  of the lines of mono OLEDs (as is usual for that size)\n"},
     {MODULES, "  --converter         the controller's own one makes the glass's voltage (from outside): ssd0323\n"},
     {PLAY, "  --frames N          ends after so many\n"},
-    {PLAY, "  --test-card         instead of a scene: corners clockwise red, green, blue and a grey ramp\n"},
+    {PLAY | FIRST, "  --test-card         instead of a scene: corners clockwise red, green, blue and a grey ramp\n"},
     {0, "module: --panel, --hz, --mode and what follows --size, but for --frames and --test-card, as play\n"},
-    {MODULE | ALONE, "  -o NAME             NAME.c and NAME.h\n"},
+    {MODULE | ALONE | FIRST, "  -o NAME             NAME.c and NAME.h\n"},
     {0, "card: --panel and the module's options as above; -o FILE.png, --write-hashes FILE, --check FILE\n"},
     {CARD | ALONE, "  -o FILE.png         the picture\n"},
     {CARD | HASHES | ALONE, "  --write-hashes FILE its hash\n"},
@@ -347,25 +361,25 @@ static const struct usage_entry ENTRIES[] = {
     {DECODE,
      "  --pause US          a frame ends where nothing comes for so long (without led: where the picture is whole)\n"},
     {DECODE, "  --frames N          ends after so many (all)\n"},
-    {DECODE, "  -o PATTERN, --write-hashes FILE, --check FILE  as render\n"},
+    {DECODE | FIRST, "  -o PATTERN, --write-hashes FILE, --check FILE  as render\n"},
     {DECODE, "  --check-loop FILE   of frames that are shown for ever, seen from any of them on\n"},
     {0, "hashes: --write-hashes FILE, --check FILE as render; --shrink N: a pixel is NxN of the picture's (1)\n"},
     {HASHES | ALONE, "  --shrink N          a pixel is NxN of the picture's (1)\n"},
     {0, "report-bug: what render takes; pictures are left out\n"},
-    {BRIDGE | ALONE, "  --panel NAME, --size WxH  of one display alone (all that there are, of usual sizes)\n"},
+    {BRIDGE | ALONE | FIRST, "  --panel NAME, --size WxH  of one display alone (all that there are, of usual sizes)\n"},
     {UF2 | ALONE, "  -o IMAGE.uf2        the file\n"
                   "  --family NAME       the processor: rp2040, rp2350-arm-s\n"},
     {BOOT2 | ALONE, "  -o NAME.c           the file\n"},
     {ESPIMAGE | ALONE, "  -o IMAGE.esp        the file\n"
                        "  --chip NAME         the processor: esp32c3\n"},
-    {REPORT_BUG,
+    {REPORT_BUG | FIRST,
      "  -o FILE             the report (limner-report.tar): a tar archive of the model, the files that it names,\n"
      "                      cameras, options, versions and a hash a frame\n"},
     {0, "export, which takes what compile takes, and a display as play does:\n"},
-    {EXPORT, "  --for WORLD         arduino (PlatformIO, too), idf, pico, cmake or plain\n"
-             "  -o FOLDER           to write; one that an export wrote, unchanged, is written anew\n"},
+    {EXPORT | FIRST, "  --for WORLD         arduino (PlatformIO, too), idf, pico, cmake or plain\n"
+                     "  -o FOLDER           to write; one that an export wrote, unchanged, is written anew\n"},
     {0, "replay:\n"},
-    {REPLAY, "  -o FILE             the report anew, with what comes out now\n"},
+    {REPLAY | FIRST, "  -o FILE             the report anew, with what comes out now\n"},
     {0, "all that take a MODEL, which may be a map of Doom or Freedoom, FILE.wad:MAP or IWAD.wad+PWAD.wad:MAP:\n"},
     {MODELS | REPLAY | WALK | DECODE,
      "  --time-limit SECONDS  then the best so far counts, said as such; nothing yet is an error (600, or\n"
@@ -400,7 +414,8 @@ bool usage_is_alone(const struct usage_entry *entry)
 
 static void print_commands(FILE *out)
 {
-    fputs("usage: limner COMMAND ...; limner COMMAND --help tells that command's options; limner help: this text\n\n",
+    fputs("usage: limner COMMAND ...; limner COMMAND --help tells that command's options, --help all the rare ones, "
+          "too; limner help: this text\n\n",
           out);
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         fprintf(out, "       limner %s%s%s\n           %s\n", COMMANDS[i].name, *COMMANDS[i].arguments ? " " : "",
@@ -416,23 +431,57 @@ void usage_print(FILE *out)
     fprintf(out, "\nkeys of view: %s\n", FLY_HELP);
 }
 
-static void print_options(const struct usage_command *command, FILE *out)
+/* Few options are told whole. */
+enum { TOLD_WHOLE = 14 };
+
+static size_t count_options(uint32_t bit)
 {
-    const uint32_t bit = UINT32_C(1) << (command - COMMANDS);
-    const char *before = "\noptions:\n";
-    for (size_t i = 0; i < ENTRY_COUNT; i++) {
-        if (!(ENTRIES[i].commands & bit)) continue;
-        fprintf(out, "%s%s", before, ENTRIES[i].text);
-        before = "";
-    }
+    size_t count = 0;
+    for (size_t i = 0; i < ENTRY_COUNT; i++)
+        count += (ENTRIES[i].commands & bit) != 0;
+    return count;
 }
 
-bool usage_print_command(const char *name, FILE *out)
+static bool is_output(const struct usage_entry *entry)
+{
+    return strncmp(entry->text, "  -o ", 5) == 0;
+}
+
+/* Those with all bits of `with` and none of `without`; what names the output before the others. */
+static void print_entries(uint32_t with, uint32_t without, FILE *out)
+{
+    for (int outputs = 1; outputs >= 0; outputs--)
+        for (size_t i = 0; i < ENTRY_COUNT; i++)
+            if ((ENTRIES[i].commands & with) == with && !(ENTRIES[i].commands & without) &&
+                is_output(&ENTRIES[i]) == outputs)
+                fputs(ENTRIES[i].text, out);
+}
+
+static void print_options(const struct usage_command *command, bool all, FILE *out)
+{
+    const uint32_t bit = UINT32_C(1) << (command - COMMANDS);
+    const size_t count = count_options(bit);
+    if (!count) return;
+    fputs("\noptions:\n", out);
+    if (count <= TOLD_WHOLE) {
+        print_entries(bit, 0, out);
+        return;
+    }
+    print_entries(bit | FIRST, 0, out);
+    if (!all) {
+        fprintf(out, "\nmore options: limner %s --help all\n", command->name);
+        return;
+    }
+    fputs("\nmore options:\n", out);
+    print_entries(bit, FIRST, out);
+}
+
+bool usage_print_command(const char *name, bool all, FILE *out)
 {
     for (const struct usage_command *at = COMMANDS; at < COMMANDS + COMMAND_COUNT; at++) {
         if (strcmp(at->name, name) != 0) continue;
         fprintf(out, "usage: limner %s%s%s\n%s\n", name, *at->arguments ? " " : "", at->arguments, at->what);
-        print_options(at, out);
+        print_options(at, all, out);
         if (strcmp(name, "view") == 0) fprintf(out, "\nkeys: %s\n", FLY_HELP);
         fprintf(out, "\nexample:\n  %s\n", at->example);
         return true;

@@ -14,8 +14,9 @@
 
 void usage_print(FILE *out);
 
-/* What the command does, its options and an example. False: there is no such command, and nothing was printed. */
-bool usage_print_command(const char *name, FILE *out);
+/* What the command does, its options, or those that most people want unless `all` are, and an example. False: there is
+ * no such command, and nothing was printed. */
+bool usage_print_command(const char *name, bool all, FILE *out);
 
 struct usage_command {
     const char *name, *arguments, *what, *example;

@@ -105,8 +105,8 @@ bool usage_check_options(const char *command, char *const *arguments, struct err
         if (strncmp(given, "--", 2) != 0 || is_told(&told, given, length)) continue;
         const char *nearest = choice_nearest(option_at, &told, given, length);
         if (nearest)
-            return error_set(err, "%.*s: no such option here, is it %s? --help lists those that there are", (int)length,
-                             given, nearest);
+            return error_set(err, "%.*s: no such option here, is it %s? --help all lists those that there are",
+                             (int)length, given, nearest);
     }
     return true;
 }

@@ -9,6 +9,7 @@
 
 #include <SDL.h>
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,10 +47,14 @@ static bool is_seen(const char *driver)
     return strcmp(driver, "KMSDRM") != 0 || !is_remote || is_set("SDL_VIDEODRIVER");
 }
 
+const bool window_is_built = true;
+
 static bool window_open(struct window *window, int w_px, int h_px)
 {
+    char title[160]; /* with the keys, which nobody knows yet */
+    snprintf(title, sizeof title, "Limner: %s", FLY_HELP);
     if (SDL_Init(SDL_INIT_VIDEO) != 0 || !is_seen(SDL_GetCurrentVideoDriver())) return false;
-    window->window = SDL_CreateWindow("Limner", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, SCALE * w_px,
+    window->window = SDL_CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, SCALE * w_px,
                                       SCALE * h_px, SDL_WINDOW_RESIZABLE);
     window->renderer = window->window ? SDL_CreateRenderer(window->window, -1, 0) : NULL;
     if (!window->renderer || SDL_RenderSetLogicalSize(window->renderer, w_px, h_px) != 0) return false;
@@ -125,6 +130,8 @@ enum flight_end window_fly(struct flight *flight, struct error *err)
 }
 
 #else
+
+const bool window_is_built = false;
 
 enum flight_end window_fly(struct flight *flight, struct error *err)
 {

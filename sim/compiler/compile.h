@@ -18,7 +18,15 @@ bool compile_source(const char *path, struct model *model, const struct compile_
 /* Model file -> compiled scene, all steps; what is animated stays where the file has it. */
 bool compile_model(const char *path, const struct compile_options *options, struct compiled *out, struct error *err);
 
-/* What came of it, for people. */
+/* What came of it, for people: all that there is to say, and the few lines that everybody wants. */
 void compile_report_print(const struct compiled *scene, const char *name);
+void compile_summary_print(const struct compiled *scene, const struct moving *moving, const char *name);
+
+/* Whether report->instructions tell what frames cost. Trees are compared as filled polygons in profile fast; of other
+ * frames that says nothing. */
+bool compile_report_has_cost(const struct compile_report *report);
+
+/* RAM of all pixels, whose lines begin at whole words. */
+size_t framebuffer_b(unsigned w_px, unsigned h_px);
 
 #endif

@@ -35,6 +35,9 @@ bool moving_compile_model(const struct model *model, const struct compile_option
 bool moving_compile_own(const char *path, const struct compile_options *options, enum moving_mode mode,
                         struct compiled *scene, struct error *err);
 
+/* Bytes of flash that all objects take, their keys included. */
+size_t moving_flash_b(const struct moving *moving);
+
 /* What the objects cost, beside the scene's report. `name`: that of the files; NULL: none are written. */
 void moving_report_print(const struct moving *moving, const struct compiled *scene, const char *name);
 

@@ -24,17 +24,24 @@ static void print_object(const struct moving_object *object)
                     (unsigned)scene->node_count, (unsigned)object->motion.count, object_flash_b(object));
 }
 
+size_t moving_flash_b(const struct moving *moving)
+{
+    size_t flash_b = 0;
+    for (size_t i = 0; i < moving->count; i++)
+        flash_b += object_flash_b(&moving->objects[i]);
+    return flash_b;
+}
+
 static void print_sum(const struct moving *moving)
 {
-    size_t polygons = 0, nodes = 0, keys = 0, flash_b = 0;
+    size_t polygons = 0, nodes = 0, keys = 0;
     for (size_t i = 0; i < moving->count; i++) {
         const struct moving_object *object = &moving->objects[i];
         polygons += object->scene.scene.polygon_count;
         nodes += object->scene.scene.node_count;
         keys += object->motion.count;
-        flash_b += object_flash_b(object);
     }
-    printf("  %-28s %8zu %8zu %8zu %8zu\n", "in all", polygons, nodes, keys, flash_b);
+    printf("  %-28s %8zu %8zu %8zu %8zu\n", "in all", polygons, nodes, keys, moving_flash_b(moving));
 }
 
 void moving_report_print(const struct moving *moving, const struct compiled *scene, const char *name)

@@ -72,8 +72,7 @@ static void print_choice(const struct compile_report *report)
                100.0 * (double)report->flash_b / (double)report->choice.bsp_flash_b);
 }
 
-/* Trees are compared as filled polygons in profile fast; of other frames that says nothing. */
-static bool is_predicted(const struct compile_report *report)
+bool compile_report_has_cost(const struct compile_report *report)
 {
     return !isnan(report->instructions) && report->core == &core_fast && !report->antialias && !report->wireframe;
 }
@@ -130,7 +129,8 @@ static void print_worst(const struct compile_report *report)
     const struct worst_report *worst = &report->worst;
     if (!worst->tried) return;
     printf("  %-28s %8zu cameras searched, not proved\n", "worst view, of", worst->tried);
-    if (is_predicted(report)) printf("    %-26s %8.0f on Cortex-M0+, predicted\n", "instructions", worst->work);
+    if (compile_report_has_cost(report))
+        printf("    %-26s %8.0f on Cortex-M0+, predicted\n", "instructions", worst->work);
     printf("    %-26s %8.2f times the mean, %.2f times the worst\n", "of random cameras",
            worst->work / worst->work_mean, worst->work / worst->work_random);
     printf("    camera:");
@@ -181,12 +181,12 @@ static void print_tree(const struct compiled *scene)
     if (report->core) printf("  %-28s %8s\n", "precision", report->core->name);
     printf("  %-28s %8s\n", "exact through lenses",
            report->tele ? "of any angle" : "of 14 degrees and more; of less: --fov");
-    if (is_predicted(report))
+    if (compile_report_has_cost(report))
         printf("  %-28s %8.0f on Cortex-M0+, predicted\n", "instructions a frame", report->instructions);
     if (report->path.count)
         printable_print(stdout, "  %-28s %8zu of %s: chosen for these\n", "cameras", report->path.count,
                         report->path.name);
-    if (is_predicted(report)) print_order(scene);
+    if (compile_report_has_cost(report)) print_order(scene);
     print_mesh_choice(scene);
     leaf_report_print(&report->leaf_parts, NULL);
     print_worst(report);
@@ -247,8 +247,7 @@ static void print_flash(const struct compiled *scene)
     if (scene->scene.texture_count) print_bytes("  of these textures", texture_memory_b(&scene->scene), polygons);
 }
 
-/* Lines begin at whole words. */
-static size_t framebuffer_b(unsigned w_px, unsigned h_px)
+size_t framebuffer_b(unsigned w_px, unsigned h_px)
 {
     return (size_t)(w_px + 1) / 2 * 4 * h_px;
 }

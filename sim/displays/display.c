@@ -7,6 +7,7 @@
 #include "base/choice.h"
 #include "linux/code_words.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* What a driver's configuration takes of a port and, by the same name, of a module or a chip: PIN(its name, the
@@ -216,6 +217,21 @@ bool panel_choice_at(size_t index, struct panel_choice *out)
     return false;
 }
 
+bool panel_rotation_parse(const char *text, enum panel_rotation *out, struct error *err)
+{
+    static const char *const turns[] = {"0", "90", "180", "270"};
+    for (int i = 0; i < 4; i++) {
+        *out = (enum panel_rotation)i;
+        if (strcmp(text, turns[i]) == 0) return true;
+    }
+    return error_set(err, "--rotate %s: must be 0, 90, 180 or 270 degrees, clockwise", text);
+}
+
+bool panel_rotation_exchanges(enum panel_rotation rotation)
+{
+    return rotation == PANEL_TURNED_90 || rotation == PANEL_TURNED_270;
+}
+
 bool panel_choice_is_mono(const struct panel_choice *choice)
 {
     return choice->format == PANEL_MONO_PAGES || choice->format == PANEL_MONO_LINES;
@@ -259,14 +275,24 @@ bool panel_choice_parse(const char *text, const char *also, struct panel_choice 
     return !text[length] || parse_format(text + length + 1, out, err);
 }
 
+/* The glass upright, and the picture turned on it, is what may have been meant. */
+static bool too_large(const struct panel_choice *choice, const struct display_module *module, unsigned mem_w_px,
+                      unsigned mem_h_px, struct error *err)
+{
+    char lying[64] = "";
+    if (choice->exchanges && module->h_px <= mem_w_px && module->w_px <= mem_h_px)
+        snprintf(lying, sizeof lying, "; --size %ux%u --rotate 90 draws a lying picture", (unsigned)module->h_px,
+                 (unsigned)module->w_px);
+    return error_set(err, "--panel %s: %ux%u pixels do not fit into its memory of %ux%u%s", choice->name,
+                     (unsigned)module->w_px, (unsigned)module->h_px, mem_w_px, mem_h_px, lying);
+}
+
 bool display_module_check(const struct panel_choice *choice, const struct display_module *module, struct error *err)
 {
     const unsigned w_px = module->w_px, h_px = module->h_px;
     const unsigned mem_w_px = module->mem_w_px ? module->mem_w_px : choice->mem_w_px;
     const unsigned mem_h_px = module->mem_h_px ? module->mem_h_px : choice->mem_h_px;
-    if (w_px > mem_w_px || h_px > mem_h_px)
-        return error_set(err, "--panel %s: %ux%u pixels do not fit into its memory of %ux%u", choice->name, w_px, h_px,
-                         mem_w_px, mem_h_px);
+    if (w_px > mem_w_px || h_px > mem_h_px) return too_large(choice, module, mem_w_px, mem_h_px, err);
     if (module->ox_px > mem_w_px - w_px || module->oy_px > mem_h_px - h_px)
         return error_set(err, "--panel %s: %ux%u pixels at %u,%u leave its memory of %ux%u", choice->name, w_px, h_px,
                          module->ox_px, module->oy_px, mem_w_px, mem_h_px);

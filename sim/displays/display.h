@@ -31,6 +31,7 @@ struct panel_choice {
     uint16_t start_lines;          /* lines of memory that the glass may begin with; 0: the first alone */
     uint8_t formats;               /* 1 << enum panel_format, of all that it takes */
     enum panel_format format;
+    enum panel_rotation rotation; /* of the picture on the glass of `limner render`; a module has its own */
 };
 
 /* The glass, and how it is joined to the chip. */
@@ -83,6 +84,12 @@ bool panel_choice_at(size_t index, struct panel_choice *out);
 /* --panel NAME or NAME:FORMAT; an unknown one is refused with the list of those there are. `also`: what else the option
  * takes, for that list, or NULL. */
 bool panel_choice_parse(const char *text, const char *also, struct panel_choice *out, struct error *err);
+
+/* --rotate DEG: the picture, clockwise. */
+bool panel_rotation_parse(const char *text, enum panel_rotation *out, struct error *err);
+
+/* Whether such a picture lies on upright glass, or stands on glass that lies: its sides are exchanged. */
+bool panel_rotation_exchanges(enum panel_rotation rotation);
 
 /* Whether its pixels are black or white. */
 bool panel_choice_is_mono(const struct panel_choice *choice);

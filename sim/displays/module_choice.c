@@ -158,15 +158,9 @@ static bool take_offset(struct module_choice *out, struct arguments *arguments, 
 
 static bool take_rotation(struct display_module *module, struct arguments *arguments, struct error *err)
 {
-    static const char *const turns[] = {"0", "90", "180", "270"};
     const char *text = NULL;
     if (!arguments_value(arguments, "--rotate", &text, err)) return false;
-    if (!text) return true;
-    for (int i = 0; i < 4; i++) {
-        module->rotation = (enum panel_rotation)i;
-        if (strcmp(text, turns[i]) == 0) return true;
-    }
-    return error_set(err, "--rotate %s: must be 0, 90, 180 or 270 degrees, clockwise", text);
+    return !text || panel_rotation_parse(text, &module->rotation, err);
 }
 
 /* What a chip is told of its glass by a number. */
@@ -268,7 +262,7 @@ bool module_choice_parse(struct module_choice *out, struct arguments *arguments,
 
 void module_choice_picture(const struct display_module *module, unsigned *w_px, unsigned *h_px)
 {
-    const bool is_upright = module->rotation == PANEL_UPRIGHT || module->rotation == PANEL_TURNED_180;
-    *w_px = is_upright ? module->w_px : module->h_px;
-    *h_px = is_upright ? module->h_px : module->w_px;
+    const bool exchanges = panel_rotation_exchanges(module->rotation);
+    *w_px = exchanges ? module->h_px : module->w_px;
+    *h_px = exchanges ? module->w_px : module->h_px;
 }

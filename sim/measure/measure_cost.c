@@ -55,8 +55,7 @@ const struct measure_cpu *measure_cpu_find(const char *name)
 static bool check_tool(const char *program, const char *package, struct error *err)
 {
     return child_exists(program) ||
-           error_set(err, "%s: not found; counting instructions needs Debian's package %s (or --no-cost)", program,
-                     package);
+           error_set(err, "%s: not found; counting instructions needs Debian's package %s", program, package);
 }
 
 bool measure_cpu_parse(const char *name, const struct measure_cpu **out, struct error *err)
@@ -67,14 +66,17 @@ bool measure_cpu_parse(const char *name, const struct measure_cpu **out, struct 
     return true;
 }
 
+bool measure_sources_check(struct error *err)
+{
+    if (access(LIM_SOURCE_FOLDER "/sim/targets/count.sh", R_OK) == 0 && access(LIM_COUNT_PLUGIN, R_OK) == 0)
+        return true;
+    return error_set(err, "counting instructions needs the source tree and the build that this program is from, %s",
+                     LIM_SOURCE_FOLDER);
+}
+
 bool measure_cpu_check(const struct measure_cpu *cpu, struct error *err)
 {
-    if (access(LIM_SOURCE_FOLDER "/sim/targets/count.sh", R_OK) != 0 || access(LIM_COUNT_PLUGIN, R_OK) != 0)
-        return error_set(err,
-                         "counting instructions needs the source tree and the build that this program is from, "
-                         "%s (or --no-cost)",
-                         LIM_SOURCE_FOLDER);
-    return check_tool(cpu->compiler, cpu->compiler_package, err) &&
+    return measure_sources_check(err) && check_tool(cpu->compiler, cpu->compiler_package, err) &&
            check_tool(cpu->emulator, cpu->emulator_package, err);
 }
 

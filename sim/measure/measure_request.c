@@ -150,7 +150,7 @@ static bool add_cpu(struct measure_request *out, const char *name, struct error 
         if (out->cpus[i] == cpu) return error_set(err, "--core %s: named twice", name);
     if (out->cpu_count == MEASURE_REQUEST_CPUS_MAX) return error_set(err, "--core: too many");
     out->cpus[out->cpu_count++] = cpu;
-    return true;
+    return out->is_cost_asked = true;
 }
 
 static bool parse_count(const char *option, const char *text, size_t *out, struct error *err)
@@ -240,6 +240,7 @@ static bool parse_option(int code, char **argv, struct measure_request *out, str
         return parse_list("--core", optarg, out, add_cpu, err);
     case OPTION_OPTIMISE:
         out->optimise = optarg;
+        out->is_cost_asked = true;
         return measure_optimise_check(optarg, err);
     case OPTION_METHOD:
         return compile_method_parse(optarg, &out->compile, err);
@@ -366,7 +367,7 @@ bool measure_request_check(const struct measure_request *request, struct error *
     for (size_t i = 0; i < request->cpu_count; i++)
         if (!measure_cpu_check(request->cpus[i], err)) return false;
     if (request->variant_count && !sub_bits_check_tools(err)) return false;
-    const bool plots = request->folder && request->cpu_count && !is_of_one(request->of);
+    const bool plots = request->folder && request->cpu_count && !request->no_plot && !is_of_one(request->of);
     if (!plots || child_exists("gnuplot")) return true;
     return error_set(err, "gnuplot: not found; the plot needs Debian's package gnuplot-nox (or leave out -o)");
 }

@@ -36,6 +36,8 @@ struct measure_request {
     size_t core_count, variant_count;
     const char *optimise;       /* as measure_views has it */
     size_t cpu_count;           /* 0: accuracy only */
+    bool is_cost_asked;         /* by --core or --optimise: tools that are missing are an error */
+    bool no_plot;               /* as its tool is not there */
     size_t frames, cost_frames; /* MEASURE_METHODS: how many of the cameras, and of these for instructions */
 };
 

@@ -152,6 +152,9 @@ bool measure_cpu_parse(const char *name, const struct measure_cpu **out, struct 
 /* Refuses, naming the Debian package, when a tool for the processor is not there. */
 bool measure_cpu_check(const struct measure_cpu *cpu, struct error *err);
 
+/* Whether the sources and the build are where they were, which counting on any processor takes. */
+bool measure_sources_check(struct error *err);
+
 /* Of --optimise: sim/targets/count.sh has the flags. */
 bool measure_optimise_check(const char *name, struct error *err);
 

@@ -288,9 +288,8 @@ static void files_text(const struct outputs *outputs, char text[WRITTEN_B])
     free(files);
 }
 
-bool outputs_keep(struct outputs *outputs, struct error *err)
+bool outputs_keep_untold(struct outputs *outputs, char *text, struct error *err)
 {
-    char text[WRITTEN_B];
     ending_hold();
     const bool ok = place_all(outputs, err);
     files_text(outputs, text);
@@ -299,6 +298,13 @@ bool outputs_keep(struct outputs *outputs, struct error *err)
     else
         outputs_discard(outputs);
     ending_release();
+    return ok;
+}
+
+bool outputs_keep(struct outputs *outputs, struct error *err)
+{
+    char text[WRITTEN_B];
+    const bool ok = outputs_keep_untold(outputs, text, err);
     if (ok) written_say(text);
     return ok;
 }

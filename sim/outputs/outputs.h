@@ -39,6 +39,9 @@ bool outputs_check(const struct outputs *outputs, struct error *err);
 /* Puts every file in its place, says so (written.h) and frees the list. */
 bool outputs_keep(struct outputs *outputs, struct error *err);
 
+/* The same, but the caller says so: `text` has WRITTEN_B bytes. */
+bool outputs_keep_untold(struct outputs *outputs, char *text, struct error *err);
+
 /* Removes every file and folder made, and frees the list. */
 void outputs_discard(struct outputs *outputs);
 

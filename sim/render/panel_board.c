@@ -22,14 +22,30 @@ static struct display_module upright_module(const struct panel_choice *choice, u
                                    .invert = true};
 }
 
+/* What the chip cannot turn a board's camera does, so that the glass shows something else than the picture. */
+static bool turns_itself(const struct panel_choice *choice, struct error *err)
+{
+    if (panel_rotation_exchanges(choice->rotation) ? choice->exchanges : choice->flips) return true;
+    return error_set(err, "--rotate: %s turns no pictures so, boards turn their camera; --panel memory draws it",
+                     choice->name);
+}
+
+/* The picture is turned as somebody said, or lies where it does not fit otherwise. */
+static enum panel_rotation rotation_of(const struct panel_choice *choice, unsigned w_px, unsigned h_px)
+{
+    const bool stands = w_px <= choice->mem_w_px && h_px <= choice->mem_h_px;
+    const bool can_lie = choice->exchanges && h_px <= choice->mem_w_px && w_px <= choice->mem_h_px;
+    if (choice->rotation != PANEL_UPRIGHT) return choice->rotation;
+    return !stands && can_lie ? PANEL_TURNED_90 : PANEL_UPRIGHT;
+}
+
 static bool module_of(const struct panel_choice *choice, unsigned w_px, unsigned h_px, struct display_module *out,
                       struct error *err)
 {
-    const bool stands = w_px <= choice->mem_w_px && h_px <= choice->mem_h_px;
-    const bool lies = !stands && choice->exchanges && h_px <= choice->mem_w_px && w_px <= choice->mem_h_px;
-    *out = lies ? upright_module(choice, h_px, w_px) : upright_module(choice, w_px, h_px);
-    if (lies) out->rotation = PANEL_TURNED_90;
-    return display_module_check(choice, out, err);
+    const enum panel_rotation rotation = rotation_of(choice, w_px, h_px);
+    *out = panel_rotation_exchanges(rotation) ? upright_module(choice, h_px, w_px) : upright_module(choice, w_px, h_px);
+    out->rotation = rotation;
+    return (choice->rotation == PANEL_UPRIGHT || turns_itself(choice, err)) && display_module_check(choice, out, err);
 }
 
 bool panel_board_holds(const struct panel_choice *choice, unsigned w_px, unsigned h_px, struct error *err)

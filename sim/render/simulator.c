@@ -15,14 +15,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Nobody's choice is a panel that stands. */
+/* Nobody's choice is a panel that stands, unless the picture is turned on it. */
 static struct panel_choice choice_of(const struct panel_choice *choice)
 {
     const bool is_named = choice && choice->family;
     struct panel_choice usual = {0};
 
     if (!is_named) (void)panel_choice_parse("st7789", NULL, &usual, &(struct error){0});
-    usual.exchanges = false;
+    usual.rotation = choice ? choice->rotation : PANEL_UPRIGHT;
+    usual.exchanges = usual.rotation != PANEL_UPRIGHT;
     return is_named ? *choice : usual;
 }
 

@@ -155,7 +155,7 @@ on_host() { # SCENE SIZE FOLDER
 # shellcheck disable=SC2046
 memory() { # SCENE SIZE FOLDER
     "$BUILD/limner" compile "$(model_of "$1")" $(path_of own "$(cameras_of "$1" own "$3")") --size "$(pixels_of "$2")" \
-        $(framebuffer_of "$2") $(options_of "$1") -o "$3/model" >"$3/report"
+        $(framebuffer_of "$2") $(options_of "$1") -o "$3/model" --report >"$3/report"
     pixels=$(pixels_of "$2")
     faces=$(sed -n 's/^ *faces in the model *//p' "$3/report")
     data_b=$(footprint_data "$3")

@@ -10,7 +10,7 @@ balance=-DLIM_OPTIMISE=LIM_BALANCE
 
 # The renderer, from separate files and from the one that is exported.
 prepare() {
-    mkdir "$work/rooms" && "$BUILD/limner" compile sim/scenes/rooms.obj -o "$work/rooms/model" >"$work/report" &&
+    mkdir "$work/rooms" && "$BUILD/limner" compile sim/scenes/rooms.obj -o "$work/rooms/model" --report >"$work/report" &&
         "$BUILD/limner" export sim/scenes/rooms.obj --for plain -o "$work/export/model" >"$work/exported"
 }
 

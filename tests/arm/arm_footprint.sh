@@ -18,7 +18,7 @@ prepare() { # NAME MODEL CAMERA...
     shift 2
     printf '%s\n' "$@" >"$work/cameras"
     # shellcheck disable=SC2086 # options are words
-    "$BUILD/limner" compile "$prepare_model" $prepare_options -o "$work/$prepare_name/model" >"$work/$prepare_name/report" &&
+    "$BUILD/limner" compile "$prepare_model" $prepare_options -o "$work/$prepare_name/model" --report >"$work/$prepare_name/report" &&
         "$BUILD/limner" render "$work/$prepare_name/model.lim" --camera "$work/cameras" --size 240x240 \
             --write-cameras "$work/$prepare_name/cameras.h"
 }

@@ -11,7 +11,7 @@ chooses() { # PRECISION OPTION...
     wanted=$1
     shift
     # shellcheck disable=SC2086 # words
-    "$limner" compile $model -o "$work/pot" --size 64x64 "$@" >"$work/out" || return 1
+    "$limner" compile $model -o "$work/pot" --report --size 64x64 "$@" >"$work/out" || return 1
     cat "$work/out"
     [ "$(awk '$NF == "chosen" { print $1 }' "$work/out")" = "$wanted" ]
 }

@@ -54,7 +54,7 @@ decided() {
 alike() {
     rm -f flashed* drawn*
     # shellcheck disable=SC2086 # lists of options
-    "$limner" compile "$2" -o flashed $3 $4 >flashed.report 2>&1 || { cat flashed.report; return 1; }
+    "$limner" compile "$2" -o flashed --report $3 $4 >flashed.report 2>&1 || { cat flashed.report; return 1; }
     # shellcheck disable=SC2086 # lists of options
     decided flashed "$1" && draw drawn "$2" $3 $4 && draw flashed flashed.lim $4 && diff drawn.hashes flashed.hashes && diff drawn.stats flashed.stats
 }
@@ -118,7 +118,7 @@ entries() { find remembered/limner -type f | wc -l; }
 
 remembers() {
     "$limner" compile ball.obj -o fresh >/dev/null 2>&1 && with_cache compile ball.obj -o first >/dev/null 2>&1 && [ "$(entries)" -eq 1 ] &&
-        with_cache compile ball.obj -o again >said 2>&1 && cat said && cmp fresh.lim first.lim && cmp first.lim again.lim &&
+        with_cache compile ball.obj -o again --report >said 2>&1 && cat said && cmp fresh.lim first.lim && cmp first.lim again.lim &&
         sed 's/first/again/g; s/FIRST/AGAIN/g' first.h | diff - again.h && [ "$(entries)" -eq 1 ] &&
         awk '/processor time for compiling/ { exit !($(NF - 1) < 1.5) }' said
 }

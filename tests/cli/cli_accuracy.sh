@@ -52,7 +52,7 @@ rooms_are_painted_once_by_gaps() { # as lines are where only changes are sent
 }
 
 rooms_compile_small() {
-    "$BUILD/limner" compile "$scenes/rooms.obj" --keep-faces -o "$work/rooms" >"$work/rooms.report" &&
+    "$BUILD/limner" compile "$scenes/rooms.obj" --keep-faces -o "$work/rooms" --report >"$work/rooms.report" &&
         at_most splits "$(reported rooms splits)" 20 && at_most "bytes of flash" "$(reported rooms 'in all')" 63488
 }
 

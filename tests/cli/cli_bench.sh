@@ -391,7 +391,7 @@ random_is_the_same_again() {
 
 # Also without a model: the tree is in the file.
 random_of_a_compiled_scene() {
-    "$BUILD/limner" compile sim/scenes/rooms.obj -o "$work/rooms" >"$work/report" &&
+    "$BUILD/limner" compile sim/scenes/rooms.obj -o "$work/rooms" --report >"$work/report" &&
         "$BUILD/limner" render "$work/rooms.lim" --camera random:5:4 --size 32x32 --write-hashes "$work/compiled" &&
         diff "$work/first" "$work/compiled"
 }
@@ -399,7 +399,7 @@ random_of_a_compiled_scene() {
 random_is_measured() {
     "$BUILD/limner" measure sim/scenes/rooms.obj --camera random:5:3 --size 32x32 --precision fast --no-cost >"$work/said" &&
         says '^# rooms, 32x32 pixels, 3 frames$' &&
-        "$BUILD/limner" compile sim/scenes/rooms.obj --max-error 1% --camera random:5:3 -o "$work/chosen" >"$work/said" &&
+        "$BUILD/limner" compile sim/scenes/rooms.obj --max-error 1% --camera random:5:3 -o "$work/chosen" --report >"$work/said" &&
         says 'random:5:3'
 }
 

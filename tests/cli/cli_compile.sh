@@ -50,7 +50,7 @@ is_refused() {
 }
 
 writes_three_files() {
-    "$limner" compile ../pyramid.obj -o made/hall >../report 2>../err || return 1
+    "$limner" compile ../pyramid.obj -o made/hall --report >../report 2>../err || return 1
     [ "$(cd made && echo *)" = "hall.c hall.h hall.lim" ] && [ ! -s ../err ]
 }
 
@@ -73,7 +73,7 @@ renders_alike() { # the scene file shows what the model shows
 replaces_old_files() {
     cp made/hall.c old.c
     echo nonsense >made/hall.c
-    "$limner" compile ../pyramid.obj -o made/hall >../report && cmp old.c made/hall.c
+    "$limner" compile ../pyramid.obj -o made/hall --report >../report && cmp old.c made/hall.c
 }
 
 # A lens's smaller side decides: 14 degrees have a tangent below 1/8, and 60 on a display of one column.
@@ -81,7 +81,7 @@ long_lenses_are_told() {
     tele() { # VALUE OPTION...
         value=$1
         shift
-        "$limner" compile ../pyramid.obj "$@" -o made/tele >../report && grep -q "define LIM_HAS_TELE $value" made/tele.h &&
+        "$limner" compile ../pyramid.obj "$@" -o made/tele --report >../report && grep -q "define LIM_HAS_TELE $value" made/tele.h &&
             grep "exact through lenses" ../report | grep -q "$([ "$value" = 1 ] && echo 'of any angle' || echo 'of less: --fov')"
     }
     tele 0 && tele 0 --fov 15 && tele 1 --fov 14 && tele 1 --fov 1 && tele 0 --fov 20 --size 100x70 && tele 1 --fov 20 --size 60x100 &&

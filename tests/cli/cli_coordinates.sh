@@ -23,7 +23,7 @@ tap_check "no other number of bits" refused '^limner: --coordinates 17: no such 
     compile "$many" --coordinates 17 -o "$work/out/many"
 
 auto_takes_32() {
-    "$limner" compile "$many" -o "$work/many" >"$work/report" && grep 'coordinates  *32 bits' "$work/report" &&
+    "$limner" compile "$many" -o "$work/many" --report >"$work/report" && grep 'coordinates  *32 bits' "$work/report" &&
         grep -A 1 '^#ifndef LIM_HAS_LONG$' "$work/many.h" | grep '^#define LIM_HAS_LONG 1$' &&
         grep 'struct lim_long_vertex' "$work/many.c"
 }
@@ -42,15 +42,15 @@ tap_check "measure tells how far the scales are apart" measure_tells_the_scales
 textures_do_not_keep_16_bits() {
     refused 'textured.obj: face [0-9]+ .* would vanish or move too far on a grid with units of 3.66 m' \
         compile "$work/textured.obj" --coordinates 16 -o "$work/out/many" &&
-        "$limner" compile "$work/textured.obj" -o "$work/textured" >"$work/report" && grep 'coordinates  *32 bits' "$work/report" &&
+        "$limner" compile "$work/textured.obj" -o "$work/textured" --report >"$work/report" && grep 'coordinates  *32 bits' "$work/report" &&
         ! grep 'no texture coordinates' "$work/report" && grep '^#define LIM_HAS_LONG 1$' "$work/textured.h" &&
         grep '^#define LIM_HAS_TEXTURE 1$' "$work/textured.h" && grep 'struct lim_long_mapping' "$work/textured.c"
 }
 tap_check "textures or not" textures_do_not_keep_16_bits
 
 auto_is_as_16() { # MODEL
-    "$limner" compile "$1" -o "$work/auto" >"$work/auto.report" &&
-        "$limner" compile "$1" --coordinates 16 -o "$work/short" >"$work/short.report" &&
+    "$limner" compile "$1" -o "$work/auto" --report >"$work/auto.report" &&
+        "$limner" compile "$1" --coordinates 16 -o "$work/short" --report >"$work/short.report" &&
         grep -A 1 '^#ifndef LIM_HAS_LONG$' "$work/auto.h" | grep '^#define LIM_HAS_LONG 0$' &&
         ! grep 'lim_long_\|of_32_bits' "$work/auto.c" && cmp "$work/auto.lim" "$work/short.lim"
 }
@@ -192,7 +192,7 @@ tap_check "a solid by its own method: refused with 32 bits" refused ': --coordin
 # The scene of movers, its first mesh 50,000 times as large: what stands still alone would have 32 bits.
 movers_on_a_large_ground() {
     sed 's/^\( *\)\(.*\){"mesh": 0}/\1\2{"mesh": 0, "scale": [50000, 1, 50000]}/' sim/scenes/movers.gltf >"$work/movers.gltf"
-    ! cmp -s sim/scenes/movers.gltf "$work/movers.gltf" && "$limner" compile "$work/movers.gltf" -o "$work/out/movers" >"$work/said" &&
+    ! cmp -s sim/scenes/movers.gltf "$work/movers.gltf" && "$limner" compile "$work/movers.gltf" -o "$work/out/movers" --report >"$work/said" &&
         grep -q 'coordinates *32 bits' "$work/said" && grep -q '^#define LIM_HAS_LONG 1$' "$work/out/movers.h" &&
         grep -q 'origins1' "$work/out/movers_movers.c"
 }
@@ -214,7 +214,7 @@ movers_are_as_right() {
 }
 tap_check "what moves is as right with 32 bits, without holes" movers_are_as_right
 movers_as_c_compile() {
-    "$limner" compile sim/scenes/movers.gltf --coordinates 32 -o "$work/out/far" >"$work/said" || return 1
+    "$limner" compile sim/scenes/movers.gltf --coordinates 32 -o "$work/out/far" --report >"$work/said" || return 1
     for file in "$work"/out/far*.c; do
         # shellcheck disable=SC2086 # the flags are a list
         ${CC:?is set by the Makefile} -std=c11 ${WARNINGS:?is set by the Makefile} -fsyntax-only -Ifirmware "-I$work/out" -DLIM_CONFIG='"far.h"' "$file" || return 1
@@ -315,7 +315,7 @@ sky_is_the_same() {
 tap_check "a sky is what it is with 16 bits" sky_is_the_same
 
 keeps_to_a_budget() {
-    "$limner" compile "$work/textured.obj" --texture-budget 1 -o "$work/budget" >"$work/report" 2>&1 || { cat "$work/report"; return 1; }
+    "$limner" compile "$work/textured.obj" --texture-budget 1 -o "$work/budget" --report >"$work/report" 2>&1 || { cat "$work/report"; return 1; }
     grep 'of these textures' "$work/report" && awk '/of these textures/ { exit !($4 <= 1000) }' "$work/report" &&
         grep '^#define LIM_HAS_LONG 1$' "$work/budget.h"
 }

@@ -152,7 +152,7 @@ says_nothing() { # FILE
 model teapot off 1 0 0 0 >far.off && cameras teapot.cam 1 0 0 0 >far.cam
 tap_check "a comparison says that it has no reader of its own" notices far.off 'has no reader of its own'
 compiling_says_it_too() {
-    "$limner" compile far.off -o far 2>&1 >said | tee notes && grep -q 'has no reader of its own' notes
+    "$limner" compile far.off -o far --report 2>&1 >said | tee notes && grep -q 'has no reader of its own' notes
 }
 tap_check "and so does a report that predicts wrong pixels" compiling_says_it_too
 # One goes by lines, the other by words: of a number too many they think differently.

@@ -38,7 +38,7 @@ tap_check "what is sorted" by_lines_too sim/scenes/knot.obj --method newell
 
 # SCENE, what the report says of the order
 compiled() {
-    "$BUILD/limner" compile "sim/scenes/$1.obj" --framebuffer --size 128x64 -o "$work/model" >"$work/report" &&
+    "$BUILD/limner" compile "sim/scenes/$1.obj" --framebuffer --size 128x64 -o "$work/model" --report >"$work/report" &&
         cat "$work/report" && grep -q "^RAM at 128x64 pixels, $2\$" "$work/report" &&
         grep -qE '^  framebuffer, bytes +16384$' "$work/report" && grep -qx '#define LIM_HAS_FRAMEBUFFER 1' "$work/model.h" &&
         grep -qxF '#define MODEL_SCENE_LINES(h_px) (h_px)' "$work/model.h"

@@ -13,7 +13,7 @@ golden() { # PROFILE METHOD
 }
 
 compile() { # MODEL
-    "$BUILD/limner" compile "$1" -o "$work/model" >"$work/report"
+    "$BUILD/limner" compile "$1" -o "$work/model" --report >"$work/report"
 }
 
 reports() { # MODEL LINE...

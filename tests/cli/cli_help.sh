@@ -32,6 +32,21 @@ board_is_asked_for() {
     done
 }
 
+# Goals, boards and suites that nearly are some.
+says_of() { # PATTERN ARGUMENT...
+    wanted=$1
+    shift
+    ! make -s DEPS=no "$@" >"$work/out" 2>"$work/said" && grep -q "$wanted" "$work/said" || { cat "$work/said" && return 1; }
+}
+make_asks_what_was_meant() {
+    says_of 'there is no goal tset, is it test?; make help' tset && says_of 'there is no goal tests, is it test?;' tests &&
+        says_of 'there is no goal nonsense; make help' nonsense && says_of 'there is no goal Veiw, is it view?' all Veiw &&
+        says_of 'there is no suite hots, is it host?; there are: all host' test SUITES=hots &&
+        says_of 'there is no suite nonsense; there are' test SUITES=nonsense &&
+        says_of 'there is no board pcio, is it pico?; there are: .*bluepill' BOARD=pcio
+}
+board_in_any_case() { make -s -n DEPS=skip BOARD=PICO >"$work/out" 2>"$work/said" && ! grep -q 'no board' "$work/said" && ! grep -q 'boards/PICO' "$work/out"; }
+
 # -- limner COMMAND --help ---------------------------------------------------------------------------------------------
 
 limner=$(cd "$BUILD" && pwd)/limner
@@ -67,9 +82,25 @@ told() { # < HELP
 }
 
 helps() { # COMMAND
-    "$limner" "$1" --help >"$work/$1.help" 2>"$work/said" && [ ! -s "$work/said" ] &&
+    "$limner" "$1" --help all >"$work/$1.help" 2>"$work/said" && [ ! -s "$work/said" ] &&
         grep -q "^usage: limner $1" "$work/$1.help" && sed '$!d' "$work/$1.help" | grep -q "^  limner $1" &&
-        "$limner" help "$1" | diff "$work/$1.help" -
+        "$limner" help "$1" all | diff "$work/$1.help" - &&
+        "$limner" "$1" --help >"$work/$1.short" && "$limner" help "$1" | diff "$work/$1.short" -
+}
+
+# A page at most; what is left out is named, and every line of it is one of the whole.
+is_short() { # COMMAND
+    [ "$(wc -l <"$work/$1.short")" -le 45 ] || { wc -l "$work/$1.short" && return 1; }
+    ! grep -vxF -f "$work/$1.help" "$work/$1.short" | grep -v '^more options: limner .* --help all$' || return 1
+    told <"$work/$1.help" >"$work/told" && told <"$work/$1.short" >"$work/told.short"
+    if grep -q '^more options: ' "$work/$1.short"; then ! cmp -s "$work/told" "$work/told.short"; else diff "$work/told" "$work/told.short"; fi
+}
+
+render_begins_with_what_people_need() {
+    grep -A 1 '^options:' "$work/render.short" | grep -q '^  -o PATTERN' &&
+        for option in --gif --camera --size --panel --fov --precision --stats --compare; do
+            told <"$work/render.short" | grep -qx -e "$option" || { echo "$option" && return 1; }
+        done && ! grep -q -e --splitter "$work/render.short"
 }
 
 # What help tells is known, and what it does not tell is not, as far as the whole help has it.
@@ -86,7 +117,7 @@ tells_what_it_knows() { # COMMAND
 }
 
 everywhere_in_a_line() {
-    "$limner" render none.obj --gif x.gif --help | diff "$work/render.help" - && ! "$limner" render -- --help >"$work/out" 2>&1
+    "$limner" render none.obj --gif x.gif --help | diff "$work/render.short" - && ! "$limner" render -- --help >"$work/out" 2>&1
 }
 
 help_has_help() {
@@ -131,14 +162,18 @@ tap_check "--version tells the version" tells_version
 tap_check "make help begins with the six goals for newcomers" six_goals_come_first
 tap_check "every goal is told once" goals_are_told_once
 tap_check "a goal in no group is named" goal_without_group_is_named
+tap_check "make names the nearest goal, suite or board" make_asks_what_was_meant
+tap_check "a board is known in any capitals" board_in_any_case
 tap_check "make flash without a board says which there are" board_is_asked_for
 mkdir "$work/here" # files that options name
 "$limner" help >"$work/help"
-for command in help $commands; do "$limner" "$command" --help; done | told >"$work/options"
+for command in help $commands; do "$limner" "$command" --help all; done | told >"$work/options"
 for command in $commands; do
     tap_check "$command --help: usage, options, an example" helps "$command"
+    tap_check "$command --help alone is a page" is_short "$command"
     tap_check "$command --help tells the options that it knows" tells_what_it_knows "$command"
 done
+tap_check "render --help begins with what people need" render_begins_with_what_people_need
 tap_check "--help may stand behind other arguments, and before -- alone" everywhere_in_a_line
 tap_check "help is told whichever way it is asked for" help_has_help
 tap_check "help on no command is refused" names_the_unknown

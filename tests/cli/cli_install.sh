@@ -36,6 +36,13 @@ works() {
 mkdir "$work/files"
 tap_check "the program draws and compiles from there" works
 
+# As other packages spell it.
+small_letters() {
+    make -s DEPS=skip BUILD="$BUILD" prefix=/usr DESTDIR="$work/small" install >"$work/said" 2>&1 && [ -x "$work/small/usr/bin/limner" ] &&
+        make -s DEPS=skip BUILD="$BUILD" prefix=/usr DESTDIR="$work/small" uninstall >"$work/said" 2>&1 && [ ! -e "$work/small/usr/bin/limner" ]
+}
+tap_check "prefix= is PREFIX=" small_letters
+
 # -- The manual page ---------------------------------------------------------------------------------------------------
 page=$there/share/man/man1/limner.1
 if command -v groff >/dev/null; then
@@ -93,7 +100,7 @@ tap_check "a file after an option" completes 'house.obj' limner render x.obj --c
 options_agree() { # each option that completion offers is in that command's help
     "$BUILD/limner" help --bash-completion | sed -n "s/^ *\([a-z0-9-]*\)) words=' \(-.*\)' ;;\$/\1 \2/p" >"$work/offers"
     [ "$(wc -l <"$work/offers")" -ge 17 ] && while read -r command options; do
-        "$BUILD/limner" "$command" --help >"$work/help"
+        "$BUILD/limner" "$command" --help all >"$work/help"
         for option in $options; do
             [ "$option" = --help ] || grep -q -e "^  .*$option" "$work/help" || { echo "$command: $option" && return 1; }
         done

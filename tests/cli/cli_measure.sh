@@ -60,6 +60,21 @@ names_the_package() {
             --core rv32
 }
 
+# Nobody asked for what the missing tools do: accuracy is measured all the same, and one line names what to install.
+does_without() { # PATH WORDS
+    measure --no-cost --precision fast >"$work/table.alone" && PATH=$1 "$BUILD/limner" measure "$scene" --camera "$work/few.cam" --size 120x120 \
+        --precision fast -o "$work/alone" >"$work/out" 2>"$work/err" || { cat "$work/err" && return 1; }
+    diff "$work/out" "$work/table.alone" && [ "$(cat "$work/err")" = "limner: note: $2" ] && [ -s "$work/alone/measure.csv" ] ||
+        { cat "$work/err" && return 1; }
+}
+
+all_tools='arm-none-eabi-gcc, qemu-system-arm, riscv64-unknown-elf-gcc, qemu-system-riscv32'
+all_packages='gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf qemu-system-misc'
+does_without_emulators() {
+    mkdir -p "$work/compilers" && ln -sf /bin/true "$work/compilers/arm-none-eabi-gcc" && ln -sf /bin/true "$work/compilers/riscv64-unknown-elf-gcc" &&
+        does_without "$work/compilers" "instructions are not counted: qemu-system-arm, qemu-system-riscv32 are not there; Debian's packages qemu-system-arm qemu-system-misc"
+}
+
 names_the_plotter() {
     ln -sf /bin/true "$work/bin/qemu-system-arm"
     refuses "Debian's package gnuplot-nox" env PATH="$work/bin" "$BUILD/limner" measure "$scene" --core m4 \
@@ -94,6 +109,9 @@ tap_check "the same again is the same" is_the_same_again
 tap_check "-o writes what is printed, and CSV" writes_markdown_and_csv
 tap_check "what cannot be written leaves nothing behind" leaves_nothing_behind
 tap_check "a missing compiler or emulator is named with its package" names_the_package
+tap_check "without any tool accuracy is measured, and one line says what to install" does_without /nowhere \
+    "instructions are not counted: $all_tools are not there; Debian's packages $all_packages"
+tap_check "without emulators likewise" does_without_emulators
 tap_check "a missing plotter is named with its package" names_the_plotter
 tap_check "no model" refuses "needs a model" "$BUILD/limner" measure
 tap_check "a compiled scene is refused" refuses "not against a compiled scene" "$BUILD/limner" measure a.lim

@@ -126,7 +126,7 @@ tap_check "what goes through each other errs too much" errs
 # Files ------------------------------------------------------------------------------------------------
 
 writes() {
-    "$limner" compile "$work/apart.obj" --portals off --method nearest --mesh-leaves all -o "$work/leafy" >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
+    "$limner" compile "$work/apart.obj" --portals off --method nearest --mesh-leaves all -o "$work/leafy" --report >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
     grep -q '^#define LIM_HAS_MESH_LEAVES 1$' "$work/leafy.h" && grep -q '^#define LIM_HAS_LEAVES 1$' "$work/leafy.h" &&
         grep -qE 'SCENE_MEM_B.*\+ LIM_MESH_LEAF_MEM_B\([1-9][0-9]*, [1-9][0-9]*\)' "$work/leafy.h" &&
         grep -q 'approximate order' "$work/leafy.h" &&
@@ -134,7 +134,7 @@ writes() {
 }
 tap_check "the header asks for mesh leaves and their memory" writes
 writes_none() {
-    "$limner" compile "$work/apart.obj" --portals off --method nearest -o "$work/plain" >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
+    "$limner" compile "$work/apart.obj" --portals off --method nearest -o "$work/plain" --report >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
     grep -q '^#define LIM_HAS_MESH_LEAVES 0$' "$work/plain.h" && ! grep -q 'LIM_MESH_LEAF_MEM_B' "$work/plain.h" &&
         ! grep -q 'approximate order' "$work/plain.h" && grep -q '\.leaf_vertices = 0, \.leaf_polygons = 0' "$work/plain.c"
 }
@@ -156,7 +156,7 @@ tap_check "methods that sort do not draw the file" sorted_refused depth
 # What moves -------------------------------------------------------------------------------------------
 
 moves() {
-    "$limner" compile sim/scenes/movers.gltf --mesh-leaves all -o "$work/movers" >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
+    "$limner" compile sim/scenes/movers.gltf --mesh-leaves all -o "$work/movers" --report >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
     says "^  mesh leaf of 'ball', not exact: 1 dense part of 128 polygons" &&
         grep -qE 'MOVERS_LIMITS \{5, [0-9]+, [0-9]+, [1-9][0-9]*, [1-9][0-9]*\}' "$work/movers.h" &&
         grep -qE 'MOVERS_MEM_B \(LIM_MOVERS_MEM_B\(.*\) \+ LIM_MESH_LEAF_MEM_B\([1-9][0-9]*, [1-9][0-9]*\)\)' "$work/movers.h" &&
@@ -164,7 +164,7 @@ moves() {
 }
 tap_check "a dense object is one leaf" moves
 moves_as_before() {
-    "$limner" compile sim/scenes/movers.gltf --mesh-leaves none -o "$work/movers" >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
+    "$limner" compile sim/scenes/movers.gltf --mesh-leaves none -o "$work/movers" --report >"$work/said" 2>&1 || { cat "$work/said"; return 1; }
     ! grep -q 'mesh leaf' "$work/said" && grep -qE 'MOVERS_LIMITS \{5, [0-9]+, [0-9]+, 0, 0\}' "$work/movers.h"
 }
 tap_check "or none" moves_as_before
@@ -178,7 +178,7 @@ for command in measure worst report render; do
 done
 is_idle() { "$limner" render "$work/leafy.lim" --mesh-leaves all --frames 1 --size 32x32 -o "$work/x.png" 2>&1 | grep -q 'mesh-leaves.*compiled already'; }
 tap_check "a compiled scene has its leaves" is_idle
-tap_check "the help tells" sh -c "\"$limner\" help compile | grep -q -- '--mesh-leaves WHICH'"
+tap_check "the help tells" sh -c "\"$limner\" help compile all | grep -q -- '--mesh-leaves WHICH'"
 tap_check "bash completes it" sh -c "\"$limner\" help --bash-completion | grep -q -- \"--mesh-leaves) words='auto none all\""
 
 tap_done

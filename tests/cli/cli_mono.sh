@@ -44,7 +44,7 @@ coloured_stay() { # a panel of colours has the light of plain memory
 tap_check "a panel of colours draws what memory has" coloured_stay
 
 compiled_alike() { # PANEL: what is compiled for a panel is what render draws of the model there
-    "$limner" compile $model --panel "$1" -o "$work/scene" >"$work/report" && grep -q 'for black and white pixels' "$work/report" &&
+    "$limner" compile $model --panel "$1" -o "$work/scene" --report >"$work/report" && grep -q 'for black and white pixels' "$work/report" &&
         hashes scene "$work/scene.lim" --panel "$1" && hashes model $model --panel "$1" && cmp "$work/scene" "$work/model"
 }
 for panel in ssd1306 ls013b7dh03; do
@@ -58,7 +58,7 @@ size=48x32
 tap_check "unless one is said" panel_size pcd8544 --size 48x32
 
 unlit() { # colours as they are
-    hashes unlit $model --panel ssd1306 --unlit && "$limner" compile $model --unlit -o "$work/unlit" >"$work/report" &&
+    hashes unlit $model --panel ssd1306 --unlit && "$limner" compile $model --unlit -o "$work/unlit" --report >"$work/report" &&
         hashes compiled "$work/unlit.lim" --panel ssd1306 && cmp "$work/unlit" "$work/compiled"
 }
 tap_check "--unlit leaves colours as they are there, too" unlit

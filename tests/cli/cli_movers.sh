@@ -114,7 +114,7 @@ still_is_not() { # no objects, and nothing said of them
 
 # One line an object and one for all: polygons, nodes, keys, bytes.
 is_reported() {
-    "$BUILD/limner" compile $model -o "$work/told" >"$work/said" && says '^objects that move  *polygons  *nodes  *keys  *bytes$' &&
+    "$BUILD/limner" compile $model -o "$work/told" --report >"$work/said" && says '^objects that move  *polygons  *nodes  *keys  *bytes$' &&
         says "^  note: $work/told.lim holds what stands still alone" && awk '/^objects that move/ { inside = 1; next }
         inside && /^  working memory/ { working = $4; exit }
         inside && /^  in all/ { for (i = 1; i <= 4; i++) all[i] = $(i + 2); next }
@@ -137,7 +137,7 @@ textured_says_so() { # the ball shows a picture
 
 # The ball's texture is the scene's, in whose file it is; the same pixels in firmware (measure compares hashes).
 textured_shows_it() {
-    "$BUILD/limner" compile "$work/changed.gltf" -o "$work/textured" >"$work/said" 2>&1 && ! grep -q 'note: object' "$work/said" &&
+    "$BUILD/limner" compile "$work/changed.gltf" -o "$work/textured" --report >"$work/said" 2>&1 && ! grep -q 'note: object' "$work/said" &&
         grep -q '^const LIM_FLASH uint8_t textured_texels' "$work/textured.c" && grep -q 'textures = textured_textures' "$work"/textured_object1.c &&
         ! grep -q '_texels\[' "$work"/textured_object1.c &&
         "$BUILD/limner" measure "$work/changed.gltf" --size 64x64 --camera random:1:2 --precision fast --core m4 -o "$work/measured" >"$work/said" 2>&1 || { cat "$work/said"; return 1; }

@@ -131,7 +131,7 @@ one_object() { rm -rf "$work/build/host/tests" && made "$work/build/host/tests/u
 kernel_program() { made "$work/build/tests/kernel/replay" && called gcc; }
 plugin() { rm -f "$work/build/count_plugin.so" && made "$work/build/count_plugin.so" && called gcc; }
 other_compiler() { made CC=clang BUILD="$work/clang" "$work/clang/host/sim/base/error.o" && called clang && has clang; }
-window() { made view && called gcc && has libsdl2-dev && grep -q -- '-DLIM_HAVE_SDL2=1 ' "$work/build/host/flags"; }
+window() { made view && called gcc && has libsdl2-dev && grep -q -- '-DLIM_HAVE_SDL2=1 ' "$work/build/host/sdl2" && ! grep -q SDL2 "$work/build/host/flags"; }
 
 tap_check "make BOARD=arduboy, from nothing" bare_board
 for pair in bluepill:arm-none-eabi-gcc hifive1:riscv64-unknown-elf-gcc esp32c3:riscv64-unknown-elf-gcc lm3s6965evb:arm-none-eabi-gcc pico:arm-none-eabi-gcc pico2:arm-none-eabi-gcc \

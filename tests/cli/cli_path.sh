@@ -7,7 +7,7 @@
 compiled() { # NAME MODEL OPTION...: $work/NAME.c and its like, and $work/said
     name=$1
     shift
-    "$BUILD/limner" compile "$@" -o "$work/$name" >"$work/said" 2>"$work/notes"
+    "$BUILD/limner" compile "$@" -o "$work/$name" --report >"$work/said" 2>"$work/notes"
 }
 
 says() { # PATTERN
@@ -74,7 +74,7 @@ measured_as_compiled() {
 }
 
 refused() { # PATTERN FILE
-    ! "$BUILD/limner" compile sim/scenes/teapot.obj --path "$2" -o "$work/refused" >"$work/said" 2>"$work/notes" &&
+    ! "$BUILD/limner" compile sim/scenes/teapot.obj --path "$2" -o "$work/refused" --report >"$work/said" 2>"$work/notes" &&
         grep -qE "$1" "$work/notes" && [ "$(wc -l <"$work/notes")" -eq 1 ] && [ ! -e "$work/refused.c" ] && [ ! -e "$work/refused.lim" ]
 }
 

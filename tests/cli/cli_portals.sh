@@ -21,10 +21,10 @@ fails_with() { # PATTERN COMMAND...
 }
 
 tap_check "nearest first, the rooms go without, and the report says why" \
-    says '^portals +left out$' "$limner" compile $rooms -o "$work/without"
+    says '^portals +left out$' "$limner" compile $rooms -o "$work/without" --report
 tap_check "bytes stand against polygons" grep -qE '^  polygons reached, with +[0-9.]+$' "$work/out"
-tap_check "by the painter they pay" says '^portals +kept$' "$limner" compile $rooms --method painter -o "$work/painter"
-tap_check "they can be had all the same" says '^portals +kept$' "$limner" compile $rooms --portals on -o "$work/with"
+tap_check "by the painter they pay" says '^portals +kept$' "$limner" compile $rooms --method painter -o "$work/painter" --report
+tap_check "they can be had all the same" says '^portals +kept$' "$limner" compile $rooms --portals on -o "$work/with" --report
 tap_check "or not be looked for" "$limner" compile $rooms --portals off -o "$work/off"
 tap_check "which is the same scene as when they are left out" cmp "$work/off.lim" "$work/without.lim"
 

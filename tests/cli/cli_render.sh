@@ -301,7 +301,8 @@ tap_check "view without a display shows the first frame as text" shows_in_termin
 
 says_that_there_is_nowhere_to_fly() {
     ! env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=x11 "$limner" view pyramid.obj --size 64x48 >picture 2>said </dev/null &&
-        [ ! -s picture ] && [ "$(wc -l <said)" -eq 1 ] && grep -q '^limner: view: neither a window nor a terminal' said
+        [ ! -s picture ] && [ "$(wc -l <said)" -eq 1 ] && grep -q '^limner: view: neither a window.* nor a terminal to fly in; limner render MODEL --gif' said &&
+        { pkg-config --exists sdl2 || grep -q 'package libsdl2-dev' said; }
 }
 tap_check "view with neither a display nor a terminal fails" says_that_there_is_nowhere_to_fly
 

@@ -73,7 +73,7 @@ turn() { # SCENE TURNED
 costs_with() { # SCENE [OPTION...]
     scene=$1
     shift
-    "$BUILD/limner" compile "$work/$scene.obj" -o "$work/asked" "$@" >"$work/said" &&
+    "$BUILD/limner" compile "$work/$scene.obj" -o "$work/asked" --report "$@" >"$work/said" &&
         "$BUILD/limner" render "$work/asked.lim" --camera "$work/$scene.cam" --size 240x240 --stats |
         awk '/^predicted/ { print $(NF - 3) }'
 }
@@ -112,7 +112,7 @@ tap_check "a mesh of more polygons than there are colours" make_scene mesh 60000
 tap_check "is drawn right, too" right mesh60000 0.02 --precision exact
 
 same_from_file() {
-    "$BUILD/limner" compile "$work/mesh8000.obj" --method nearest -o "$work/wide" >"$work/said" &&
+    "$BUILD/limner" compile "$work/mesh8000.obj" --method nearest -o "$work/wide" --report >"$work/said" &&
         "$BUILD/limner" render "$work/mesh8000.obj" --camera "$work/few.cam" --size 64x64 --write-hashes "$work/hashes" &&
         "$BUILD/limner" render "$work/wide.lim" --camera "$work/few.cam" --size 64x64 --check "$work/hashes" && is_wide wide 1
 }

@@ -36,7 +36,7 @@ tap_check "100 m are not" "$limner" compile "$work/floor100.obj" -o "$work/y"
 # A precision that is refused leaves the others to choose from; each reason is told once.
 reason='^draft, fast.*: refused: face 4 \(0\.1 m\), 6 .* of 126 faces would vanish'
 chooses_exact() {
-    "$limner" compile "$work/floor1000.obj" --coordinates 16 -o "$work/chosen" --max-error 1% >"$work/said" || return 1
+    "$limner" compile "$work/floor1000.obj" --coordinates 16 -o "$work/chosen" --report --max-error 1% >"$work/said" || return 1
     head -4 "$work/said"
     [ "$(awk '$NF == "chosen" { print $1 }' "$work/said")" = exact ] && [ -s "$work/chosen.lim" ] &&
         [ "$(grep -cE "$reason" "$work/said")" -eq 1 ] && ! grep -q '^exact.*refused' "$work/said"
@@ -59,7 +59,7 @@ tap_check "if all are refused, one line says why" refused '10000.obj: all precis
 
 # What is left out is said, and counted as wrong.
 drops_some() {
-    "$limner" compile "$work/floor1000.obj" -o "$work/dropped" --drop-small >"$work/report" || return 1
+    "$limner" compile "$work/floor1000.obj" -o "$work/dropped" --report --drop-small >"$work/report" || return 1
     cat "$work/report"
     awk '/left out, too small/ { out = $5 } /near faces, small/ { near = $6 }
         END { exit !(out >= 5 && out < 125 && out % 5 == 0 && near > 1) }' "$work/report"

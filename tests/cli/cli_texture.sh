@@ -58,7 +58,7 @@ orders_agree() { # PRECISION
 }
 
 file_agrees() {
-    "$limner" compile demo/textured.obj -o scene >report && hashes model demo/textured.obj demo/textured.cam &&
+    "$limner" compile demo/textured.obj -o scene --report >report && hashes model demo/textured.obj demo/textured.cam &&
         hashes file scene.lim demo/textured.cam && same_frames model file
 }
 
@@ -105,18 +105,18 @@ holes_show_what_is_behind() {
         cat said flat.hashes holes.hashes
         ! grep 'its transparency' said && cmp flat.hashes holes.hashes || return 1
     done
-    "$limner" compile "$model" -o holes >report && grep -q 'LIM_HAS_MASKED 1' holes.h &&
+    "$limner" compile "$model" -o holes --report >report && grep -q 'LIM_HAS_MASKED 1' holes.h &&
         hashes file.hashes holes.lim front.cam --size 64x64 && hashes model.hashes "$model" front.cam --size 64x64 || return 1
     cat said file.hashes model.hashes
     cmp file.hashes model.hashes
 }
 
 is_a_pane() { # MODEL: without textures, or with lines alone, nothing is linked for holes
-    "$limner" compile "$1" --no-textures -o pane >report && grep -q 'LIM_HAS_MASKED 0' pane.h
+    "$limner" compile "$1" --no-textures -o pane --report >report && grep -q 'LIM_HAS_MASKED 0' pane.h
 }
 
 says_nothing() { # MODEL: of transparency; but it has its texture
-    "$limner" compile "$1" -o bare >report || return 1
+    "$limner" compile "$1" -o bare --report >report || return 1
     ! grep 'its transparency' report && grep -q 'LIM_HAS_TEXTURE 1' bare.h
 }
 
@@ -251,9 +251,9 @@ sky_is_drawn() { # of a square's picture where it stands, and endlessly far away
         hashes wall.hashes wide.obj two.cam --size 64x64 || return 1
     cat sky.hashes wall.hashes
     [ "$(cut -d ' ' -f 2 sky.hashes | sort -u | wc -l)" = 1 ] && [ "$(cut -d ' ' -f 2 wall.hashes | sort -u | wc -l)" = 2 ] &&
-        "$limner" compile wide.obj --sky=quarters -o sky >report && grep -q 'LIM_HAS_SKY 1' sky.h &&
+        "$limner" compile wide.obj --sky=quarters -o sky --report >report && grep -q 'LIM_HAS_SKY 1' sky.h &&
         hashes file.hashes sky.lim two.cam --size 64x64 && cmp sky.hashes file.hashes &&
-        "$limner" compile wide.obj -o sky >report && grep -q 'LIM_HAS_SKY 0' sky.h
+        "$limner" compile wide.obj -o sky --report >report && grep -q 'LIM_HAS_SKY 0' sky.h
 }
 tap_check 'faces of the material that --sky names are a sky' sky_is_drawn
 tap_check 'a sky that no material is, is told' sh -c "'$limner' compile quarters.obj --sky heaven -o none 2>&1 | grep 'quarters.obj: --sky: no material of that name has a picture'"

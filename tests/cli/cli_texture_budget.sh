@@ -14,7 +14,7 @@ compiled() { # NAME OPTION...
     name=$1
     shift
     mkdir -p "$(dirname "$name")"
-    timeout 120 "$limner" compile "$model" --path "$camera" -o "$name" "$@" >"$name.report" 2>"$name.said" || { cat "$name.said" && return 1; }
+    timeout 120 "$limner" compile "$model" --path "$camera" -o "$name" --report "$@" >"$name.report" 2>"$name.said" || { cat "$name.said" && return 1; }
 }
 
 bytes_of() { # NAME: of textures, as the report has them
@@ -63,7 +63,7 @@ orders_agree() {
 }
 
 file_agrees() {
-    "$limner" compile "$model" -o own --texture-budget 40 >own.report 2>said && "$limner" render own.lim --camera "$camera" --size 64x48 --write-hashes file 2>said &&
+    "$limner" compile "$model" -o own --report --texture-budget 40 >own.report 2>said && "$limner" render own.lim --camera "$camera" --size 64x48 --write-hashes file 2>said &&
         hashes model --texture-budget 40 && cmp file model
 }
 
@@ -127,12 +127,12 @@ tap_check 'measure has it as a column, and finds no hole that was not there' mea
 tap_check 'texels are as near to those of the model as before' texels_are_near
 tap_check 'what is exported is smaller' exports
 tap_check 'the page says how much it is' reports
-tap_check 'sampled cameras do where there is no path' eval '"$limner" compile "$model" --texture-budget 30 -o sampled >sampled.report 2>said && [ "$(arrays_b sampled)" -le 30000 ]'
+tap_check 'sampled cameras do where there is no path' eval '"$limner" compile "$model" --texture-budget 30 -o sampled --report >sampled.report 2>said && [ "$(arrays_b sampled)" -le 30000 ]'
 tap_check 'a model without textures takes none' eval '"$limner" compile tests.obj --texture-budget 0 -o none >/dev/null 2>&1 || { printf "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" >tests.obj; "$limner" compile tests.obj --texture-budget 0 -o none >/dev/null; }'
 tap_check 'colours keep to what no size keeps' colours_keep_to_any
 for bad in much -1 70000 nan 10KB ''; do
     tap_check "refused: '$bad'" says '^limner: --texture-budget' compile "$model" --texture-budget="$bad" -o never
 done
 tap_check 'refused: no number at all' says '^limner: --texture-budget' render "$model" -o never.png --texture-budget
-tap_check 'the help of what reads models has it' eval 'for command in compile render view measure export report worst walk; do "$limner" $command --help | grep -q -- "--texture-budget KB" || exit 1; done'
+tap_check 'the help of what reads models has it' eval 'for command in compile render view measure export report worst walk; do "$limner" $command --help all | grep -q -- "--texture-budget KB" || exit 1; done'
 tap_done

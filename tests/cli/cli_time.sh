@@ -113,7 +113,7 @@ tap_check "compare: the methods and frames so far" some_methods
 
 # A limit between none and enough: there is a scene, or there is none and an error says so.
 one_or_the_other() { # LIMIT
-    timeout "$patience_s" "$limner" compile medium.obj -o one --time-limit "$1" >out 2>said </dev/null
+    timeout "$patience_s" "$limner" compile medium.obj -o one --report --time-limit "$1" >out 2>said </dev/null
     status=$?
     cat said
     case $status in
@@ -153,7 +153,7 @@ for command in 'compile heavy.obj --report' 'render heavy.obj --write-hashes x' 
 done
 
 same_as_ever() {
-    "$limner" compile "$rooms" -o free --time-limit 0 >/dev/null 2>said && "$limner" compile "$rooms" -o within --time-limit 500 >/dev/null 2>>said &&
+    "$limner" compile "$rooms" -o free --report --time-limit 0 >/dev/null 2>said && "$limner" compile "$rooms" -o within --report --time-limit 500 >/dev/null 2>>said &&
         cmp free.lim within.lim && [ ! -s said ]
 }
 tap_check "a limit that is not reached changes nothing" same_as_ever

@@ -88,7 +88,7 @@ tap_check "a convex solid is drawn by scan lines, but on black and white display
 
 # What has no order is drawn by methods that make one, and by no other.
 sets() {
-    "$BUILD/limner" compile sim/scenes/knot.obj --tree none -o "$work/set" >"$work/report" &&
+    "$BUILD/limner" compile sim/scenes/knot.obj --tree none -o "$work/set" --report >"$work/report" &&
         grep -q "^RAM .*, by Newell's depth sort" "$work/report" && grep -q 'SCENE_METHOD LIM_NEWELL' "$work/set.h" &&
         "$BUILD/limner" render sim/scenes/knot.obj --tree none --size 80x60 --write-hashes "$work/hashes" &&
         "$BUILD/limner" render "$work/set.lim" --method newell --size 80x60 --check "$work/hashes" &&

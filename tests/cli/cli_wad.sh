@@ -51,7 +51,7 @@ looks_from_things() {
 }
 
 names_scenes_by_maps() {
-    timeout 300 "$limner" compile "$one:E1M8" "$two:MAP07" --no-textures -o level >said 2>&1 || { cat said; return 1; }
+    timeout 300 "$limner" compile "$one:E1M8" "$two:MAP07" --no-textures -o level --report >said 2>&1 || { cat said; return 1; }
     ls level* && [ -e level_E1M8.c ] && [ -e level_MAP07.lim ] && grep -q LEVEL_E1M8 level.h
 }
 

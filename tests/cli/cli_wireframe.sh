@@ -11,14 +11,14 @@ golden() { # SCENE CAMERAS ARGUMENT...
 }
 
 compiled() { # a scene compiled for it draws the same from its file
-    "$BUILD/limner" compile sim/scenes/glass.obj --size 96x72 --wireframe -o "$work/glass" >"$work/report" &&
+    "$BUILD/limner" compile sim/scenes/glass.obj --size 96x72 --wireframe -o "$work/glass" --report >"$work/report" &&
         "$BUILD/limner" render "$work/glass.lim" --camera sim/scenes/glass.cam --size 96x72 --wireframe \
             --check tests/wireframe/glass.hashes && grep -q 'LIM_HAS_WIREFRAME 1' "$work/glass.h" &&
         grep -qE 'with edges that are not drawn +[1-9]' "$work/report"
 }
 
 plain() { # without being asked for nothing is kept for it
-    "$BUILD/limner" compile sim/scenes/glass.obj --size 96x72 -o "$work/plain" >"$work/report" &&
+    "$BUILD/limner" compile sim/scenes/glass.obj --size 96x72 -o "$work/plain" --report >"$work/report" &&
         grep -q 'LIM_HAS_WIREFRAME 0' "$work/plain.h" && ! grep -q 'edges that are not drawn' "$work/report" &&
         [ "$(wc -c <"$work/plain.lim")" -lt "$(wc -c <"$work/glass.lim")" ]
 }

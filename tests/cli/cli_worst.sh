@@ -127,8 +127,8 @@ tap_check "movers: each camera has its time" has_times
 
 # -- compile --worst ---------------------------------------------------------------------------------------------------
 compiles_both() {
-    "$limner" compile "$scenes/rooms.obj" -o plain >plain.said && "$limner" compile "$scenes/rooms.obj" --worst=600 -o worse >worse.said &&
-        "$limner" compile "$scenes/rooms.obj" --worst=600 -o again >again.said && cmp worse.lim again.lim
+    "$limner" compile "$scenes/rooms.obj" -o plain --report >plain.said && "$limner" compile "$scenes/rooms.obj" --worst=600 -o worse --report >worse.said &&
+        "$limner" compile "$scenes/rooms.obj" --worst=600 -o again --report >again.said && cmp worse.lim again.lim
 }
 tap_check "compile --worst, the same every time" compiles_both
 memory_of() { sed -n 's/^  working memory, bytes *//p' "$1"; }
@@ -182,7 +182,7 @@ tap_check "a firmware draws NAME_WORST_..., and takes what the report says" firm
 other_scenes_take_it() {
     for scene in teapot icosahedron glass movers; do
         file=$(ls "$scenes/$scene".obj "$scenes/$scene".gltf 2>/dev/null)
-        "$limner" compile "$file" --worst=200 -o "other_$scene" >said && grep -q 'cameras searched, not proved' said && grep -q _WORST_YAW "other_$scene.h" &&
+        "$limner" compile "$file" --worst=200 -o "other_$scene" --report >said && grep -q 'cameras searched, not proved' said && grep -q _WORST_YAW "other_$scene.h" &&
             ${CC:-gcc} -std=c11 -fsyntax-only -I"$firmware" -I. -DLIM_CONFIG="\"other_$scene.h\"" "other_$scene.c" || return 1
     done
     grep -q OTHER_MOVERS_WORST_TIME_MS other_movers.h

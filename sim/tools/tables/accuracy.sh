@@ -22,7 +22,7 @@ measure() { # PRECISION SCENE: into $work/PRECISION
 }
 
 row() { # NAME FOLDER [TREE]
-    "$BUILD/limner" compile "$2/$1.obj" --keep-faces ${3:+--tree "$3"} -o "$work/scene" >"$work/report"
+    "$BUILD/limner" compile "$2/$1.obj" --keep-faces ${3:+--tree "$3"} -o "$work/scene" --report >"$work/report"
     measure fast "$2/$1"
     measure fine "$2/$1"
     echo "| $1 | $(reported 'faces in the model') | $(reported splits) | $(reported 'in all')" \
