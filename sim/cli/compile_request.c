@@ -336,14 +336,11 @@ static void note_textures(const struct compile_request *request, const struct co
 void compile_result_report(const struct compile_request *request, const struct compile_result *result)
 {
     note_idle(request, result);
-<<<<<<< HEAD
     note_textures(request, result);
-=======
     if (!request->report) {
         print_summaries(request, result);
         return;
     }
->>>>>>> hour
     print_reports(request, result);
     print_effort();
 }
