@@ -71,7 +71,7 @@ struct model {
     size_t mover_count;
     struct model_key *keys; /* of each mover, by time */
     size_t key_count;
-    size_t flat_faces, mean_faces; /* that have a colour for their picture: all they show, or the mean of it */
+    size_t flat_faces, mean_faces;      /* that have a colour for their picture: all they show, or the mean of it */
     bool is_stopped;                    /* the file has animations, which were left out */
     double lattice_m;                   /* every coordinate is a multiple of this; 0: of nothing that is known */
     bool is_interior;                   /* seen from within alone: no eye is meant to be where backs are seen */
