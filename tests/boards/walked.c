@@ -54,7 +54,7 @@ static bool meet_walls(struct walked *walked)
 
 static bool run(struct walked *walked, int argc, char **argv, struct error *err)
 {
-    const struct options *options = &walked->options;
+    struct options *options = &walked->options;
     unsigned buttons;
 
     if (!options_parse(argc, argv, OPTIONS_RENDER, &walked->options, err) ||
