@@ -371,7 +371,7 @@ $(BUILD)/tests/test_output_sets: test_links := $(foreach name,link rename unlink
 extremes := $(filter $(BUILD)/tests/test_extreme_%,$(test_programs))
 tests/cli/cli_extremes.sh: $(extremes) $(BUILD)/limner
 tests/cli/cli_bench.sh: $(BUILD)/generate_bench
-tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/cli/cli_summary.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
+tests/cli/cli_scale.sh tests/cli/cli_small.sh tests/choices/cli_summary.sh tests/arm/arm_scale.sh: $(BUILD)/generate_scale
 tests/sub_bits.sh: $(BUILD)/limner $(addprefix $(BUILD)/tests/,test_convex test_scanline test_target_errors)
 
 suite-host      := $(filter-out $(extremes),$(filter $(BUILD)/tests/test_%,$(test_programs))) $(wildcard tests/cli/cli_*.sh tests/files/cli_*.sh tests/formats/*.sh tests/choices/cli_*.sh)

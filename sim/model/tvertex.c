@@ -6,12 +6,12 @@
  * points are at least weld_m apart, near_m is half of that, and so every part is shorter. */
 #include "base/deadline.h"
 #include "base/grow.h"
+#include "base/point_tree.h"
 #include "base/progress.h"
 #include "base/vec3.h"
 #include "model/inner.h"
 #include "model/loop.h"
 #include "model/mesh.h"
-#include "model/point_tree.h"
 #include "model/polygon_list.h"
 
 #include "model/grid.h"

@@ -6,8 +6,8 @@
 
 #include "base/deadline.h"
 #include "base/grow.h"
+#include "base/point_tree.h"
 #include "base/progress.h"
-#include "model/point_tree.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -98,7 +98,7 @@ static struct model_file *open_any(const struct model_io_instead *instead, const
     const struct whole_file *materials = instead->materials;
     if (path_has_suffix(path, OBJ_MATERIALS)) return copy_of(materials->bytes, materials->size_b);
     if (!instead->bytes || strcmp(path, instead->path) != 0) return read_path(path);
-    inputs_note(path);
+    if (!instead->is_noted) inputs_note(path);
     return copy_of(instead->bytes, instead->size_b);
 }
 

@@ -16,7 +16,7 @@ struct model_io_instead {
     const char *path;
     const char *bytes; /* NULL: the file itself */
     size_t size_b;
-    bool is_noted;                      /* that the file was read (inputs.h) */
+    bool is_noted;                      /* the file that it stands for is noted already (inputs.h) */
     const struct whole_file *materials; /* of any path that ends with OBJ_MATERIALS */
 };
 

@@ -110,7 +110,7 @@ refuse "a text called .obj is refused" '^limner: \.\./story\.obj: ' ../story.obj
 refuse "a model without faces is refused" '^limner: \.\./faceless\.obj: ' ../faceless.obj -o x
 refuse "a model of no area is refused" '^limner: \.\./line\.obj: ' ../line.obj -o x
 refuse "coordinates that are no numbers are refused" '^limner: \.\./nan\.obj:3: ' ../nan.obj -o x
-refuse "indices out of range are refused" '^limner: \.\./range\.obj: ' ../range.obj -o x
+refuse "indices out of range are refused" '^limner: \.\./range\.obj:4: vertex index 7' ../range.obj -o x
 refuse "a folder as a name is refused" '^limner: -o .made/.: names a folder' ../pyramid.obj -o made/
 refuse "a folder that cannot be made is refused" '^limner: /proc/none' ../pyramid.obj -o /proc/none/x
 refuse "a file in the way of a folder is refused" '^limner: old\.c' ../pyramid.obj -o old.c/x

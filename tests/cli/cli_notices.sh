@@ -18,6 +18,8 @@ run() {
         set -- "$@" "$argument"
     done
     "$limner" "$@" >"$folder.said" 2>"$folder.notes" </dev/null || { cat "$folder.notes" && return 1; }
+    # of the model, not of an option
+    sed -i '/: what is animated stands still where the file has it$/d' "$folder.notes"
 }
 
 # changes_nothing NOTES OPTIONS COMMAND...: as many lines of notes as there are, in that order.

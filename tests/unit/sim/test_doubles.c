@@ -2,10 +2,10 @@
  *
  * Vertices as files have them, to the last bit, through the importer and through the reference's own readers; the
  * files are written here. What is expected is what a C compiler makes of the same digits. */
+#include "gltf/vertex_table.h"
 #include "model/model.h"
 #include "readers/model_import.h"
 #include "readers/source.h"
-#include "gltf/vertex_table.h"
 #include "rigs/cmocka_ready.h"
 
 #include <math.h>

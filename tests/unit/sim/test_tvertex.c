@@ -2,8 +2,8 @@
  *
  * mesh_insert_t_vertices(), and the search tree under it: afterwards no corner lies inside an edge,
  * and what touches along an edge shares its ends. */
+#include "base/point_tree.h"
 #include "base/vec3.h"
-#include "model/point_tree.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_checks.h"
 #include "rigs/random.h"

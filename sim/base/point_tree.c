@@ -3,7 +3,7 @@
  * A k-d tree that is nothing but an order of the points: the middle of a range divides it along the
  * axis of its depth (x, y, z, x, ...), smaller coordinates before it. Ties are broken by index, so
  * the order depends on the points alone. */
-#include "model/point_tree.h"
+#include "base/point_tree.h"
 
 #include "base/grow.h"
 #include "base/vec3.h"
