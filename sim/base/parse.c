@@ -64,7 +64,8 @@ bool parse_bound(const char *option, const char *text, const char *unit, double 
 bool parse_near(const char *text, double *near_m, struct error *err)
 {
     return parse_number("--near", text, near_m, err) &&
-           ((*near_m > 0.0 && isfinite(*near_m)) || error_set(err, "--near %s: the near plane must lie in front of the eye", text));
+           ((*near_m > 0.0 && isfinite(*near_m)) ||
+            error_set(err, "--near %s: the near plane must lie in front of the eye", text));
 }
 
 bool parse_fov(const char *text, double *fov_deg, struct error *err)

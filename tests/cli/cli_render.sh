@@ -99,7 +99,7 @@ camera "a long camera line is refused by number" '^limner: bad.cam:1: more than 
 camera "NaN in a camera file is refused" '^limner: bad.cam:1: a coordinate' 'nan 2 3 4 5 6\n'
 camera "infinity in a camera file is refused" '^limner: bad.cam:1: a coordinate' '1 2 3 4 -inf 6\n'
 camera "an eye on its target is refused by line" '^limner: bad.cam:2: eye and target' '3 2 3 0 0 0\n1 1 1 1 1 1\n'
-camera "an eye out of range is refused by line" '^limner: bad.cam:2: the eye is too far' '3 2 3 0 0 0\n1 1 9e12 0 0 0\n'
+camera "an eye out of range is refused by line" '^limner: bad.cam:2: the eye is too far' '3 2 3 0 0 0\n1 1 9e8 0 0 0\n'
 camera "an empty camera file is refused" '^limner: bad.cam: no camera' ''
 rm bad.cam
 refuse "a missing camera file is refused" '^limner: none.cam: No such file' render pyramid.obj --camera none.cam
@@ -136,7 +136,7 @@ refuse "one file for two outputs is refused" 'named for two outputs' render pyra
 refuse "--compare without source polygons is refused" '^limner: --compare: pyramid.lim holds no' render pyramid.lim --compare
 
 fails_late() { # the last camera is out of range: 2 of 3 frames were rendered by then
-    printf '3 2 3 0 0 0\n3 2 3 0 0 0\n1 1 9e12 0 0 0\n' >../late.cam
+    printf '3 2 3 0 0 0\n3 2 3 0 0 0\n1 1 9e8 0 0 0\n' >../late.cam
     is_refused 'late.cam:3' render pyramid.obj --camera ../late.cam -o 'new/folder/%d.png' --gif new/x.gif \
         --sheet new/sheet.png --ids new/ids --write-hashes new/hashes --stats --compare
 }
@@ -330,7 +330,8 @@ else
 fi
 
 names_mean_what_they_say() {
-    "$limner" render pyramid.obj --frames 2 -o walk.gif && [ "$(head -c 4 walk.gif)" = GIF8 ] && [ ! -e out ] && rm walk.gif
+    mkdir alone && (cd alone && "$limner" render ../pyramid.obj --frames 2 -o walk.gif && [ "$(ls)" = walk.gif ] &&
+        [ "$(head -c 4 walk.gif)" = GIF8 ]) && rm -r alone
 }
 tap_check "-o NAME.gif is an animation" names_mean_what_they_say
 refuse "a GIF is no PNG by its name" '^limner: --gif x\.png: it writes gif files; name it x\.gif$' render pyramid.obj --gif x.png

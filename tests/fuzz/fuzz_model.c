@@ -174,7 +174,8 @@ const char *fuzz_model_read(const char *path, uint32_t dice)
         if (model.points || model.faces) return "a refused model left something behind";
         char beside[256]; /* materials, too, are named model.something */
         snprintf(beside, sizeof beside, "%.*s", (int)(strrchr(path, '.') - path), path);
-        return fuzz_check_refusal(err.text, beside);
+        const char *const name = strrchr(beside, '/') ? strrchr(beside, '/') + 1 : beside; /* as a model says it */
+        return fuzz_check_refusal(err.text, strncmp(err.text, name, strlen(name)) == 0 ? name : beside);
     }
     const char *broken = check_model(&model);
     if (!broken) broken = check_source(path, &model);

@@ -107,7 +107,7 @@ double written_put_decimal(struct written *written, struct fuzz_bytes *bytes)
 
 /* OBJ ---------------------------------------------------------------------------------------- */
 
-enum { OBJ_PLAIN, OBJ_DIVIDED, OBJ_COLOURED, OBJ_KINDS };
+enum { OBJ_PLAIN, OBJ_WEIGHTED, OBJ_COLOURED, OBJ_KINDS };
 
 static void obj_blank(struct written *written, struct fuzz_bytes *bytes)
 {
@@ -127,12 +127,7 @@ static void obj_vertex(struct written *written, size_t index, unsigned kind, str
         obj_blank(written, bytes);
         vertex[axis] = written_put_decimal(written, bytes);
     }
-    if (kind == OBJ_DIVIDED) {
-        const int divisor = 1 + fuzz_below(bytes, 9);
-        written_put(written, " %d", divisor);
-        for (int axis = 0; axis < 3; axis++)
-            vertex[axis] /= divisor;
-    }
+    if (kind == OBJ_WEIGHTED) written_put(written, " %d", 1 + fuzz_below(bytes, 9)); /* polygons have none */
     if (kind == OBJ_COLOURED) written_put(written, " 0.25 .5 1");
     if (!fuzz_below(bytes, 8)) written_put(written, " # 7 8 9");
     written_put(written, "%s", line_ends[fuzz_below(bytes, LINE_ENDS)]);
