@@ -3,7 +3,7 @@
  * What a build of the renderer contains. A scene's generated header states its needs and limits. A build says which
  * header that is, by LIM_CONFIG, -DLIM_CONFIG='"hall.h"', for all files; or by a file limner_config.h that includes
  * hall.h, where the compiler looks for <headers> (-I). Settings of its own come before (#define LIM_HAS_STATS 1).
- * Compilers without __has_include do not find it. With neither the renderer has all features, for any scene; that works,
+ * Compilers without __has_include do not find it. With neither the renderer has all features, for any scene; it works,
  * and is large. Whatever a header leaves open gets the host's generous value here, so every flag is always defined.
  * agree.h sees that all files agree. */
 
