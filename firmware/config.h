@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * What a build of the renderer contains. A scene's generated header states its needs and limits. A build says which
- * header that is:
- *
- * - by LIM_CONFIG, -DLIM_CONFIG='"hall.h"', for all files; or
- * - by a file limner_config.h that includes hall.h, in a folder where the compiler looks for <headers> (-I). Settings
- *   of its own come before (#define LIM_HAS_STATS 1). Compilers without __has_include do not find it.
- *
- * With neither the renderer has all features, for any scene; that works, and is large. Whatever a header leaves open
- * gets the host's generous value here, so every flag is always defined. agree.h sees that all files agree. */
+ * header that is, by LIM_CONFIG, -DLIM_CONFIG='"hall.h"', for all files; or by a file limner_config.h that includes
+ * hall.h, where the compiler looks for <headers> (-I). Settings of its own come before (#define LIM_HAS_STATS 1).
+ * Compilers without __has_include do not find it. With neither the renderer has all features, for any scene; it works,
+ * and is large. Whatever a header leaves open gets the host's generous value here, so every flag is always defined.
+ * agree.h sees that all files agree. */
 
 #if !defined(LIM_CONFIG) && defined(__has_include)
 #if __has_include(<limner_config.h>)
@@ -391,8 +388,7 @@
  * LIM_HAS_PART was asked first.
  *
  * LIM_UNLIKELY: a condition that seldom holds. LIM_IN_EACH_CALLER: inlined in each, even where small code is asked for;
- * programs have but one of them. LIM_WORD_ALIGNED: of members that are copied together. LIM_FALL_THROUGH: a case goes
- * on in the next one. */
+ * programs have but one of them. LIM_WORD_ALIGNED: of members that are copied together. */
 #if defined(__GNUC__)
 #define LIM_OPTIONAL(type, name, count) __extension__ type name[count]
 #define LIM_UNLIKELY(condition) __builtin_expect(condition, 0)
@@ -415,12 +411,6 @@
 #define LIM_OPTIONAL_BEGIN
 #define LIM_OPTIONAL_END
 #define LIM_LAST_VALUE(member, value) .member = value
-#endif
-
-#if __GNUC__ >= 7 || defined(__clang__)
-#define LIM_FALL_THROUGH __attribute__((fallthrough))
-#else
-#define LIM_FALL_THROUGH ((void)0)
 #endif
 
 /* Memory is cut up in words of four bytes. */

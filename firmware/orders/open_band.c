@@ -34,15 +34,14 @@ void lim_nearest_open(struct lim_nearest *nearest, const struct lim_rect *band)
     lim_share_set_lowest(&nearest->spans);
 }
 
-#if LIM_HAS_STATS
 void lim_nearest_note_pools(struct lim_nearest *nearest)
 {
     struct lim_stats *stats = lim_stats_of(nearest->pass);
     const uint16_t gaps = (uint16_t)(lim_share_gaps_end(&nearest->spans) - nearest->spans.fresh);
 
+    if (!LIM_HAS_STATS) return;
     if (nearest->retained.used > stats->retained_cells_max) stats->retained_cells_max = nearest->retained.used;
     if (gaps > stats->gaps_max) stats->gaps_max = gaps;
 }
-#endif
 
 #endif

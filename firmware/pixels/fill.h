@@ -4,6 +4,7 @@
 #ifndef LIM_FILL_H
 #define LIM_FILL_H
 
+#include "pixels/falls.h"
 #include "pixels/target_parts.h"
 
 /* n pixels from x on, or none; `line`, the target's, is 4-byte aligned. */

@@ -5,6 +5,8 @@
 #ifndef LIM_TEXELS_H
 #define LIM_TEXELS_H
 
+#include "math/thumb.h"
+#include "pixels/falls.h"
 #include "scene.h"
 #include "texturing.h"
 
@@ -51,27 +53,14 @@ static LIM_INLINE void texels_paint_long(uint16_t *to, const uint16_t *end, uint
 }
 
 /* Where stores reach no memory before an address, what lies before `end` is counted from eight pixels farther back. */
-#if defined(__ARM_ARCH_6M__)
-
-enum { LIM_TEXELS_BACK = 8 };
+enum { LIM_TEXELS_BACK = LIM_WRITTEN_THUMB ? 8 : 0 };
 
 static inline uint16_t *texels_back(uint16_t *end)
 {
     end -= LIM_TEXELS_BACK;
-    __asm__("" : "+r"(end)); /* else the compiler would count from `end` all the same */
+    FOUND_FROM(end); /* else the compiler would count from `end` all the same */
     return end;
 }
-
-#else
-
-enum { LIM_TEXELS_BACK = 0 };
-
-static inline uint16_t *texels_back(uint16_t *end)
-{
-    return end;
-}
-
-#endif
 
 /* What is told that the return address is lost keeps it on the stack: one instruction then restores registers and
  * returns, instead of two. */
