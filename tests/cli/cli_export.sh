@@ -20,7 +20,7 @@ exports() { "$limner" export "$@" >"$work/out" 2>"$work/said" || { cat "$work/sa
 listing() { (cd "$1" && find . -type f -exec cksum {} + | sort -k 3); } # FOLDER
 
 unknown_world() {
-    refuses '^limner: --for esp8266: no such world; there are: arduino (PlatformIO as well), idf, pico, cmake, plain$' "$model" --for esp8266 -o "$work/x" &&
+    refuses '^limner: --for esp8266: no such world; there are arduino, idf, pico, cmake and plain$' "$model" --for esp8266 -o "$work/x" &&
         refuses 'needs --for' "$model" -o "$work/x" && refuses 'needs -o' "$model" --for plain && refuses 'needs a model' --for plain -o "$work/x" &&
         [ ! -e "$work/x" ]
 }

@@ -29,8 +29,8 @@ prints_a_row_for_each() {
 }
 
 decides_every_side() {
-    grep '^| ' "$work/table" | grep -v precision | grep -v ' | 0 of [1-9][0-9]* |$' && return 1
-    grep -q ' | 0 of [1-9][0-9]* |$' "$work/table"
+    grep '^| ' "$work/table" | grep -v precision | grep -v ' | 0 of [1-9][0-9]* |' && return 1
+    grep -q ' | 0 of [1-9][0-9]* |' "$work/table"
 }
 
 is_the_same_again() {
