@@ -164,7 +164,7 @@ tap_check "by depth where triangles have it" drawn_by_itself "$work/deep" mesh-d
 "$limner" compile sim/scenes/knot.obj --method newell -o "$work/set" >/dev/null
 tap_check "and a set by the depth sort" drawn_by_itself "$work/set" newell
 "$limner" compile sim/scenes/knot.obj --method depth -o "$work/farthest" >/dev/null
-tap_check "a set that any sort might be for is not" refused 'a set has no order; draw it with --method newell or depth' render "$work/farthest.lim"
+tap_check "and one by farthest points so" drawn_by_itself "$work/farthest" depth
 tap_check "nor what no mesh is drawn with" refused 'a mesh has no tree; draw it with --method mesh or mesh-depth' render "$work/mesh.lim" --wireframe
 tap_check "a file of a mesh names the methods that draw it" refused 'a mesh has no tree; draw it with --method mesh or mesh-depth' render "$work/mesh.lim" --method nearest
 tap_check "a file with a tree is none" refused 'has a tree; --method mesh draws meshes, give the model$' render "$work/tree.lim" --method mesh

@@ -272,7 +272,8 @@ python3 tests/models/animated.py "$work"
 render() { # MODEL [OPTION...]
     model=$work/$1.gltf
     shift
-    "$BUILD/limner" render "$model" --frames 8 --size 120x120 "$@" >"$work/said" 2>&1
+    "$BUILD/limner" render "$model" --frames 8 --size 120x120 "$@" >"$work/said" 2>&1 || return 1
+    sed -i '/faces are covered/d' "$work/said" # by others in their plane: not of motion
 }
 
 is_near() { # MODEL [OPTION...]
