@@ -6,7 +6,7 @@ import numpy as np
 
 NOTHING = np.array([0, 0, 0])
 NEAR_M = 0.1
-EDGE_PX = 0.1     # so near to an edge, both sides are right
+EDGE_PX = 0.05     # so near to an edge, both sides are right
 TEXTURE_PX = 2.0   # so near to where a texture's colour changes, a smaller level of it may show a mixture
 
 
