@@ -130,12 +130,13 @@ static void next_list(struct stream *stream, const struct line *property, enum e
     struct strip strip = {.length = 0};
     for (double i = 0; i < length && !stream->failed; i++) {
         const double index = next_number(stream, property->words[3]);
-        if (!is_corners(property)) continue;
+        if (!source || !is_corners(property)) continue;
         if (kind == FACE_ELEMENT) add_corner(stream, index, vertices, source);
         if (kind == STRIPS_ELEMENT) next_of_strip(&strip, index, stream, vertices, source);
     }
 }
 
+/* Without a source it keeps the vertices, with one it makes faces of those that were kept. */
 static void next_instance(struct stream *stream, const struct line *element, size_t properties,
                           struct vertices *vertices, struct source *source)
 {
@@ -150,15 +151,15 @@ static void next_instance(struct stream *stream, const struct line *element, siz
         const char *name = property->words[2];
         if (name[0] >= 'x' && name[0] <= 'z' && !name[1]) at_m[name[0] - 'x'] = number;
     }
-    source_face(source);
-    if (kind != VERTEX_ELEMENT) return;
+    if (source) source_face(source);
+    if (source || kind != VERTEX_ELEMENT) return;
     vertices->at_m = grow(vertices->at_m, vertices->count, &vertices->capacity, sizeof *vertices->at_m);
     memcpy(vertices->at_m[vertices->count++], at_m, sizeof at_m);
 }
 
-static bool read_body(struct stream *stream, const struct line *lines, size_t count, struct source *source)
+static void read_elements(struct stream *stream, const struct line *lines, size_t count, struct vertices *vertices,
+                          struct source *source)
 {
-    struct vertices vertices = {0};
     for (size_t i = 0; i < count; i++) {
         size_t properties = 0;
         if (strcmp(lines[i].words[0], "element") != 0) continue;
@@ -166,10 +167,19 @@ static bool read_body(struct stream *stream, const struct line *lines, size_t co
             properties++;
         const unsigned long instances = strtoul(lines[i].words[2], NULL, 10);
         for (unsigned long k = 0; properties && k < instances && !stream->failed; k++)
-            next_instance(stream, &lines[i], properties, &vertices, source);
+            next_instance(stream, &lines[i], properties, vertices, source);
     }
+}
+
+/* Twice: faces may come before their vertices. */
+static bool read_body(struct stream *stream, const struct line *lines, size_t count, struct source *source)
+{
+    struct vertices vertices = {0};
+    struct stream again = *stream;
+    read_elements(stream, lines, count, &vertices, NULL);
+    if (!stream->failed) read_elements(&again, lines, count, &vertices, source);
     free(vertices.at_m);
-    return !stream->failed;
+    return !stream->failed && !again.failed;
 }
 
 /* Keeps the lines on elements and properties; the body begins at stream->at. false: this is not understood. */

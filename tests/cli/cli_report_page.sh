@@ -164,7 +164,7 @@ tap_check "a model's name is text" escapes
 broken_utf8() {
     name=$(printf 'n\303\251\377\355\240\200x')
     cp triangle.obj "$name.obj" && page "$name.obj" utf8 && is_valid utf8.html && iconv -f UTF-8 -t UTF-8 utf8.html >copy &&
-        grep -q "$(printf '<h1>n\303\251&#65533;&#65533;&#65533;&#65533;x</h1>')" utf8.html
+        grep -q "$(printf '<h1>n\303\251????x</h1>')" utf8.html
 }
 tap_check "bytes that are no UTF-8 are none in the page" broken_utf8
 
@@ -192,7 +192,7 @@ broken_models() {
     for name in empty missing half; do
         "$limner" report "$name.obj" -o "$name.html" >out 2>said && return 1
         cat said
-        [ "$(wc -l <said)" -eq 1 ] && grep -q "^limner: $name.obj: " said && [ ! -e "$name.html" ] || return 1
+        [ "$(wc -l <said)" -eq 1 ] && grep -q "^limner: $name.obj:" said && [ ! -e "$name.html" ] || return 1
     done
     ! find . -name '*.part' | grep .
 }

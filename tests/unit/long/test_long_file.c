@@ -12,6 +12,7 @@
 #include "rigs/texture_rig.h"
 #include "scene/lim_check.h"
 #include "scene/lim_image.h"
+#include "scene/method.h"
 #include "scene/scene_files.h"
 
 #include <stdio.h>
@@ -19,7 +20,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { HEADER_B = 152, VERTEX_B = 12, PLANE_B = 20, BOX_B = 24, NODE_B = 28, DAMAGES = 3000 };
+enum { HEADER_B = 152, VERTEX_B = 12, PLANE_B = 20, BOX_B = 24, NODE_B = 28, DRAWN_BY_AT_B = 148, DAMAGES = 3000 };
 
 static char folder[32];
 static char path[64];
@@ -90,6 +91,9 @@ static void what_is_written_is_read(void **state)
     free(lim_bytes_of(&scene, path));
     if (!lim_file_read(path, &read, &err)) fail_msg("%s", err.text);
     assert_int_equal(read.image_b, scene.image_b);
+    struct lim_file_header *header = read.image; /* the file alone says what the compiler chose */
+    assert_int_equal(header->drawn_by, 1 + scene.report.draws);
+    header->drawn_by = 0;
     assert_memory_equal((char *)read.image + LIM_FILE_CRC_FROM_B, (char *)scene.image + LIM_FILE_CRC_FROM_B,
                         scene.image_b - LIM_FILE_CRC_FROM_B);
     assert_true(read.grid.is_long);
@@ -171,7 +175,7 @@ static void other_bits_than_16_and_32_are_refused(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         assert_word_refused(144, others[i], "damaged: coordinates of ");
-    assert_word_refused(148, 1, "damaged: coordinates of ");
+    assert_word_refused(DRAWN_BY_AT_B, METHOD_DRAWS + 1, "drawn by a method that this program does not know");
     assert_word_refused(144, 16, "damaged"); /* what follows is of other sizes then */
 }
 

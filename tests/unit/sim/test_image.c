@@ -299,17 +299,18 @@ static void dump_hook_does_what_the_environment_asks(void **state)
     (void)state;
     uint16_t pixels[W_PX * H_PX];
     struct film film = make_film(pixels, 1, 65536);
+    static const char dumped[] = "limner-test-dump.tmp"; /* other tests read dumped: it is not written over */
     struct error err;
     unsetenv("LIMNER_DUMP");
     unsetenv("LIMNER_CHECK");
     assert_true(dump_last_frame(&film, &err));
 
-    setenv("LIMNER_DUMP", SCRATCH, 1);
+    setenv("LIMNER_DUMP", dumped, 1);
     assert_true(dump_last_frame(&film, &err));
-    assert_true(image_check_png(&film, SCRATCH, &err));
+    assert_true(image_check_png(&film, dumped, &err));
 
     unsetenv("LIMNER_DUMP");
-    setenv("LIMNER_CHECK", SCRATCH, 1);
+    setenv("LIMNER_CHECK", dumped, 1);
     assert_true(dump_last_frame(&film, &err));
     pixels[0] ^= 1;
     assert_false(dump_last_frame(&film, &err));
@@ -318,6 +319,7 @@ static void dump_hook_does_what_the_environment_asks(void **state)
     setenv("LIMNER_DUMP", "/dev/null/x.png", 1);
     assert_false(dump_last_frame(&film, &err));
     unsetenv("LIMNER_DUMP");
+    unlink(dumped);
 }
 
 static void terminal_shows_two_pixels_a_character(void **state)
