@@ -127,11 +127,10 @@ static void see(const struct ordering *work, size_t triangle, struct seen_triang
     }
 }
 
-/* Negative: outside. */
-static double inside_px(const struct seen_triangle *seen, const double point[2])
+static bool is_inside(const struct seen_triangle *seen, const double point[2], double margin_px)
 {
-    return fmin(linear_at(seen->sides[0], point),
-                fmin(linear_at(seen->sides[1], point), linear_at(seen->sides[2], point)));
+    return !(linear_at(seen->sides[0], point) < margin_px) && !(linear_at(seen->sides[1], point) < margin_px) &&
+           !(linear_at(seen->sides[2], point) < margin_px);
 }
 
 static double depth_at(const struct seen_triangle *seen, const double point[2])
@@ -158,7 +157,7 @@ static void draw_triangle(struct ordering *work, size_t triangle)
         for (int x = x0; x < x1; x++) {
             const size_t pixel = (size_t)y * SIDE_PX + (size_t)x;
             const double point[2] = {x + 0.5, y + 0.5};
-            if (inside_px(&seen, point) < 0) continue;
+            if (!is_inside(&seen, point, 0)) continue;
             const double depth = depth_at(&seen, point);
             if (depth >= work->depths[pixel]) continue;
             work->depths[pixel] = depth;
@@ -191,7 +190,7 @@ static bool is_wrong(const struct ordering *work, size_t pixel)
     struct seen_triangle seen;
     if (!painted || !nearest || painted == nearest) return false;
     see(work, nearest - 1, &seen);
-    if (inside_px(&seen, point) < MARGIN_PX) return false;
+    if (!is_inside(&seen, point, MARGIN_PX)) return false;
     see(work, painted - 1, &seen);
     return depth_at(&seen, point) > work->depths[pixel] + TOLERANCE_UNITS;
 }

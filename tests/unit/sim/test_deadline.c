@@ -199,7 +199,7 @@ static void a_limit_that_is_not_reached_changes_nothing(void **state)
 static void time_may_end_anywhere_in_compiling(void **state)
 {
     enum { FEW = 100 };
-    const int ends = effort(40) < 10 ? 10 : effort(40);
+    const int ends = effort(16) < 10 ? 10 : effort(16);
     struct model model;
     struct compiled scene;
     struct error err;
@@ -212,7 +212,7 @@ static void time_may_end_anywhere_in_compiling(void **state)
     const double questions = now_s;
     for (int i = 1; i < ends; i++) {
         /* More of them where there is no tree yet, which comes soon. */
-        const double limit_s = questions * pow(i / (double)ends, 3.0);
+        const double limit_s = questions * pow(i / (double)ends, 4.0);
         const bool ok = compile_within(&model, limit_s, &scene, &err);
         most_after = fmax(most_after, now_s - limit_s);
         scenes += ok;
