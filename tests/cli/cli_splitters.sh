@@ -76,7 +76,7 @@ movers_are_left_out() {
 tap_check "of a model with movers it is what stands still, as compile has it" movers_are_left_out
 
 draws_right() {
-    "$BUILD/limner" render sim/scenes/teapot.obj --camera sim/scenes/teapot.cam --splitter "$1" --compare >"$work/out" &&
+    "$BUILD/limner" render sim/scenes/teapot.obj --camera sim/scenes/teapot.cam --tree bsp --splitter "$1" --compare >"$work/out" &&
         awk '/^compared/ { wrong = $8; holes = $NF } END { exit !(wrong != "" && wrong + 0 <= 0.08 && holes == 0) }' "$work/out"
 }
 for name in first fewest balanced weighted sampled; do

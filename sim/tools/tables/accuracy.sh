@@ -16,15 +16,15 @@ closing() { # FILE PHRASE: the number after it in the comparison's closing line
     sed -n "\$s/.*$2 \([0-9.]*\).*/\1/p" "$work/$1"
 }
 
-measure() { # PRECISION SCENE: into $work/PRECISION
-    "$BUILD/limner" render "$2.obj" --camera "$2.cam" --size 240x240 --precision "$1" --stats --compare \
-        --sheet "$work/sheet.png" >"$work/$1"
+measure() { # PRECISION SCENE [TREE]: into $work/PRECISION
+    "$BUILD/limner" render "$2.obj" ${3:+--tree "$3"} --camera "$2.cam" --size 240x240 --precision "$1" --stats \
+        --compare --sheet "$work/sheet.png" >"$work/$1"
 }
 
 row() { # NAME FOLDER [TREE]
-    "$BUILD/limner" compile "$2/$1.obj" --keep-faces ${3:+--tree "$3"} -o "$work/scene" --report >"$work/report"
-    measure fast "$2/$1"
-    measure fine "$2/$1"
+    "$BUILD/limner" compile "$2/$1.obj" ${3:+--tree "$3"} -o "$work/scene" --report >"$work/report"
+    measure fast "$2/$1" "${3-}"
+    measure fine "$2/$1" "${3-}"
     echo "| $1 | $(reported 'faces in the model') | $(reported splits) | $(reported 'in all')" \
         "| $(reported 'working memory, bytes') | $(mean polygons) | $(mean seen) | $(mean overdraw)" \
         "| $(closing fast wrong) | $(closing fine wrong) | $(closing fast shift) | $(closing fine shift)" \
