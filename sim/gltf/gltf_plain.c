@@ -5,6 +5,7 @@
 #include "base/inputs.h"
 #include "gltf/gltf_extensions.h"
 #include "gltf/gltf_plain_work.h"
+#include "gltf/gltf_types.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -40,7 +41,8 @@ static bool read_and_make(const char *path, struct gltf_plain *plain, struct mod
                              .model = model,
                              .err = err};
     gltf_output_begin(&work.out);
-    const bool ok = gltf_extensions_check(path, &plain->file, model, err) &&
+    const bool ok = gltf_types_check(path, &plain->file, err) &&
+                    gltf_extensions_check(path, &plain->file, model, err) &&
                     gltf_buffers_read(path, &plain->file, &work.buffers, err) && make(&work, &plain->glb);
     gltf_output_free(&work.out);
     gltf_buffers_free(&work.buffers);

@@ -7,7 +7,7 @@
 . tests/example/example.sh
 
 compile_scene() {
-    "$BUILD/limner" compile sim/scenes/teapot.obj -o "$work/teapot" >"$work/report"
+    "$BUILD/limner" compile sim/scenes/teapot.obj -o "$work/teapot" --report >"$work/report"
 }
 
 run_on_host() {
