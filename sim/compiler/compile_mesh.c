@@ -86,7 +86,11 @@ static void report_tree(struct compile_report *report, const struct bsp *bsp, co
                         const struct splitter *splitter)
 {
     report->splits = bsp->splits;
-    report->covered = bsp->coplanar->layers.covered;
+    const struct layers *layers = &bsp->coplanar->layers;
+    if (report->tree == TREE_NONE)
+        report->unordered = layers_polygons(layers, report->polygons_in);
+    else
+        report->covered = layers->covered;
     report->worst_violation_units = bsp_worst_violation(bsp);
     for (size_t i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].split.plane != LIM_NO_INDEX)
@@ -169,6 +173,17 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
     return ok;
 }
 
+/* What a mesh is chosen for is judged by its pictures; of one that was asked for is said what it does not order. */
+static size_t count_unordered(const struct compilation *work)
+{
+    struct layers layers;
+    if (!work->options->method) return 0;
+    layers_find(work->mesh, tolerance_units(work), &layers);
+    const size_t count = layers_polygons(&layers, work->mesh->polygon_count);
+    layers_free(&layers);
+    return count;
+}
+
 /* Without a tree. */
 static bool compile_triangles(struct compilation *work, struct compiled *out, struct error *err)
 {
@@ -180,6 +195,7 @@ static bool compile_triangles(struct compilation *work, struct compiled *out, st
         lim_image_make(&encoding, &work->mesh->grid, out);
         report_set(&out->report, work->mesh, &encoding, &out->scene, TREE_MESH);
         out->report.draws = compile_options_draws(work->options);
+        out->report.unordered = count_unordered(work);
         out->original = work->mesh->original; /* lent: its faces are looked at */
         if (out->report.draws == LIM_MESH_DEPTH)
             ok = mesh_order_settle(out, work->options->core,

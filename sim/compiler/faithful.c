@@ -13,6 +13,7 @@
 #include "model/extent.h"
 #include "model/grid.h"
 #include "model/original.h"
+#include "scene/method.h"
 #include "scene/records.h"
 
 #include <math.h>
@@ -516,4 +517,9 @@ void faithful_note(const struct compiled *scene)
             "%zu faces are covered, in part or whole, by later faces of the file in the same plane: the later one is "
             "drawn over the earlier; move them apart for another order",
             scene->report.covered);
+    if (scene->report.unordered)
+        notice(
+            "%zu faces lie in a plane with others, or nearly: --method %s does not order them; --method nearest draws "
+            "them as the file has them",
+            scene->report.unordered, method_name(scene->report.draws));
 }

@@ -150,6 +150,7 @@ static void print_tree(const struct compiled *scene)
     if (report->tree != TREE_MESH) print_count("splits", report->splits);
     if (report->left_out) print_count("left out, too small", report->left_out);
     if (report->covered) print_count("covered by a later, coplanar", report->covered);
+    if (report->unordered) print_count("too near to others to order", report->unordered);
     if (report->collapsed) print_count("pieces rounded to nothing", report->collapsed);
     print_count("polygons in the scene", report->polygons_out);
     print_transparent(scene);

@@ -110,6 +110,7 @@ struct compile_report {
     bool is_refused;  /* there is no scene, as it would not keep its promise (faithful.h) */
     size_t collapsed; /* pieces that the grid rounded to nothing */
     size_t covered;   /* polygons in one plane with a later one, which lies over a part of them */
+    size_t unordered; /* polygons so near to others' planes that a method without a tree does not order them */
     size_t depth;
     size_t kinds[PLANE_KINDS]; /* nodes by enum plane_kind */
     size_t leaves;             /* nodes without a plane, whose polygons have an order */

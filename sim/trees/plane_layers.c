@@ -306,6 +306,14 @@ const struct layer *layers_of(const struct layers *layers, uint32_t polygon, siz
     return *count ? &layers->items[layers->first[polygon]] : NULL;
 }
 
+size_t layers_polygons(const struct layers *layers, size_t polygon_count)
+{
+    size_t count = 0;
+    for (size_t p = 0; layers->first && p < polygon_count; p++)
+        count += layers->first[p + 1] > layers->first[p];
+    return count;
+}
+
 /* For an eye on one side of polygon p, whether the other is nearer. */
 static bool is_over(const struct layer *layer, uint32_t p, bool in_front)
 {

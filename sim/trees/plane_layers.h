@@ -31,6 +31,9 @@ void layers_find(const struct mesh *mesh, double tolerance_units, struct layers 
 /* Those of a polygon; *count of them. */
 const struct layer *layers_of(const struct layers *layers, uint32_t polygon, size_t *count);
 
+/* How many polygons have any. */
+size_t layers_polygons(const struct layers *layers, size_t polygon_count);
+
 /* Which of two polygons hides a part of the other from some eye, as far as layers tell. */
 struct layer_pair {
     bool p_hides_q, q_hides_p;

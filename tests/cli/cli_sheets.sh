@@ -69,6 +69,14 @@ silent() { "$limner" render "$1" --camera "$work/decal.cam" --size 16x16 2>"$wor
 tap_check "and nothing where nothing is" silent "$work/over.obj"
 tap_check "the report counts it, too" sh -c "'$limner' compile '$work/level.obj' --report | grep 'covered by a later, coplanar  *1$'"
 
+for method in newell depth mesh mesh-depth; do
+    tap_check "a note says that $method does not order them" notes \
+        "^limner: note: 2 faces lie in a plane with others, or nearly: --method $method does not order them; --method nearest " \
+        render "$work/over.obj" --camera "$work/decal.cam" --size 16x16 --method "$method"
+done
+tap_check "and nothing of what no other is near to" sh -c "'$limner' render sim/scenes/icosahedron.obj --size 16x16 \
+    --frames 1 --method newell 2>&1 | { ! grep 'does not order'; }"
+
 # A textured poster in the wall's plane: its green half is on the left.
 textured() {
     python3 - "$work/poster.png" <<'END' || return 1
