@@ -13,7 +13,7 @@ echo '2 1.8 2.5 0 0.5 0' >front.cam
 compiled() { # NAME MODEL OPTION...
     name=$1 of=$2
     shift 2
-    timeout 120 "$limner" compile "$of" -o "$name" "$@" >"$name.report" 2>"$name.said" || { cat "$name.said" && return 1; }
+    timeout 120 "$limner" compile "$of" -o "$name" --report "$@" >"$name.report" 2>"$name.said" || { cat "$name.said" && return 1; }
 }
 
 flash_b() { # NAME
