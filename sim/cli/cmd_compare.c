@@ -82,7 +82,7 @@ static bool choose_cameras(struct comparing *comparing, struct error *err)
 
 static bool prepare(struct comparing *comparing, struct error *err)
 {
-    const struct measure_request *request = &comparing->request;
+    struct measure_request *request = &comparing->request;
     struct compare_table *table = &comparing->table;
     *table = (struct compare_table){.scene = request->name,
                                     .w_px = request->w_px,

@@ -57,7 +57,7 @@ static bool compile_rows(struct measurement *measurement, struct error *err)
 
 static bool prepare(struct measurement *measurement, struct error *err)
 {
-    const struct measure_request *request = &measurement->request;
+    struct measure_request *request = &measurement->request;
     const size_t count = request->core_count;
     if (!measure_request_load(request, &measurement->source, &measurement->lens, &measurement->path, err)) return false;
     measurement->candidates = calloc(count, sizeof *measurement->candidates);

@@ -38,7 +38,7 @@ static struct measure_candidate candidate_of(const struct worst *worst)
 
 static bool search(struct worst *worst, struct error *err)
 {
-    const struct measure_request *request = &worst->request;
+    struct measure_request *request = &worst->request;
     if (!measure_request_check(request, err) ||
         !measure_request_load(request, &worst->source, &worst->lens, &worst->none, err))
         return false;

@@ -143,6 +143,7 @@ bool compile_options_settle(struct compile_options *options, struct error *err)
 void compile_options_free(struct compile_options *options)
 {
     camera_path_free(&options->path);
+    camera_path_free(&options->eyes);
 }
 
 bool compile_method_parse(const char *text, struct compile_options *out, struct error *err)

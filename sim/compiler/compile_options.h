@@ -59,7 +59,7 @@ struct compile_options {
     double forced_near_m;    /* of what moves: how near the scene's cameras may have their near plane, if no nearer */
     bool drop_small;         /* leave out what is too small for the grid, instead of refusing the model */
     struct camera_path path; /* cameras that it is chosen for, compile_options_free()'s; empty: sampled ones */
-    struct camera_path eyes; /* cameras that must see it, somebody else's; empty: they are not known */
+    struct camera_path eyes; /* cameras that must see it, compile_options_free()'s; empty: they are not known */
     size_t worst_tries;      /* cameras to search the worst views among, for pools that hold them; 0: none */
     bool predict;            /* measure the wrong-pixel share for the report: takes a second or so */
 };

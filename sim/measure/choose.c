@@ -71,10 +71,13 @@ static bool compile_rows(struct trial *trial, const struct compile_options *opti
     return ok;
 }
 
-static bool prepare(struct trial *trial, const char *model_path, const struct compile_options *options,
+static bool prepare(struct trial *trial, const char *model_path, struct compile_options *options,
                     const struct choice_bound *bound, struct choice *choice, struct error *err)
 {
-    if (!compile_options_cameras(options, &bound->cameras, &trial->path, err)) return false;
+    struct camera_path *path = &trial->path;
+    if (!compile_options_cameras(options, &bound->cameras, path, err)) return false;
+    camera_path_free(&options->eyes);
+    if (path->count && !camera_path_few(path, path->count, &options->eyes, err)) return false;
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
     if (!compile_rows(trial, options, choice, err)) return false;
     const struct compiled *scene = trial->candidates[0].scene;
@@ -154,7 +157,7 @@ static bool refuse(const struct choice *choice, const char *model_path, struct e
                      compare_wrong_percent(&best->accuracy.pixels.total), best->accuracy.vertex_max_px);
 }
 
-bool choose_core(const char *model_path, const struct compile_options *options, const struct choice_bound *bound,
+bool choose_core(const char *model_path, struct compile_options *options, const struct choice_bound *bound,
                  struct choice *out, struct error *err)
 {
     struct trial trial = {0};

@@ -37,9 +37,9 @@ struct choice {
     size_t frames;
 };
 
-/* `options` has the size of the panel. Fails when no renderer meets the bound, saying which is nearest, and when the
- * model has no scene for any. */
-bool choose_core(const char *model_path, const struct compile_options *options, const struct choice_bound *bound,
+/* `options` has the size of the panel; the bound's cameras, if a file has them, become its eyes. Fails when no renderer
+ * meets the bound, saying which is nearest, and when the model has no scene for any. */
+bool choose_core(const char *model_path, struct compile_options *options, const struct choice_bound *bound,
                  struct choice *out, struct error *err);
 
 /* The evidence: a line a renderer, and one for each reason by which some are refused. */

@@ -49,9 +49,9 @@ bool measure_request_parse(int argc, char **argv, enum measure_of of, struct mea
  * option is unknown to `limner measure`, or its value missing. */
 bool measure_request_order(int argc, char **argv, int *words_from, struct error *err);
 
-/* Reads the camera file, if there is one, and the model. All three must be zero and are the caller's to free, also
- * after a failure. */
-bool measure_request_load(const struct measure_request *request, struct measure_source *source, struct lens *lens,
+/* Reads the camera file, if there is one, and the model, which is compiled for these cameras. All three must be zero
+ * and are the caller's to free, also after a failure. */
+bool measure_request_load(struct measure_request *request, struct measure_source *source, struct lens *lens,
                           struct camera_path *path, struct error *err);
 
 /* As many cameras of the file, or of those planned for the scene, as are wanted; *path is what was loaded. */

@@ -282,7 +282,7 @@ static bool search_worst(struct page *page, struct error *err)
 
 bool page_collect(struct page *page, struct error *err)
 {
-    const struct measure_request *request = &page->request;
+    struct measure_request *request = &page->request;
     const struct measure_views views = {&page->path, &page->lens, request->w_px, request->h_px, NULL};
     if (!measure_request_check(request, err) ||
         !measure_request_load(request, &page->source, &page->lens, &page->path, err) || !add_precisions(page, err))
