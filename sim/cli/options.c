@@ -424,7 +424,7 @@ bool options_parse(int argc, char **argv, enum options_set set, struct options *
     if (!settle_frames(out, err)) return false;
     if (out->has_rate && !out->gif_path) idle_options_add(&out->idle, "fps");
     out->compile.keep_faces = out->ids_path != NULL;
-    out->compile.framebuffer = out->setup.panel == SIMULATOR_FRAMEBUFFER;
+    out->compile.framebuffer = out->compile.framebuffer_by_lines = out->setup.panel == SIMULATOR_FRAMEBUFFER;
     out->compile.w_px = out->setup.w_px;
     out->compile.h_px = out->setup.h_px;
     out->compile.core = out->setup.core;

@@ -9,6 +9,7 @@
 #include "compiler/coordinates.h"
 #include "compiler/decision.h"
 #include "compiler/faithful.h"
+#include "compiler/order_choice.h"
 #include "compiler/texture_budget.h"
 #include "model/original.h"
 #include "readers/import_motion.h"
@@ -109,6 +110,13 @@ bool compile_source(const char *path, struct model *model, const struct compile_
     return options->predict ? source_take(path, model, err) : source_find(path, model, &known, err);
 }
 
+static bool compile_one(const struct model *model, const struct compile_options *options, struct compiled *out,
+                        struct error *err)
+{
+    const struct compile_options own = order_options_for(options, model);
+    return compile_part(model, NULL, &own, out, err);
+}
+
 bool compile_model(const char *path, const struct compile_options *options, struct compiled *out, struct error *err)
 {
     struct model model;
@@ -117,7 +125,7 @@ bool compile_model(const char *path, const struct compile_options *options, stru
     if (!model_read(path, &options->orientation, &model, err)) return false;
     bool ok = compile_source(path, &model, options, err);
     compile_options_light(options, &model);
-    ok = ok && ((texture_budget_apply(&model, options, err) && compile_part(&model, NULL, options, out, err)) ||
+    ok = ok && ((texture_budget_apply(&model, options, err) && compile_one(&model, options, out, err)) ||
                 error_prefix(err, path));
     model_free(&model);
     return ok;

@@ -51,7 +51,8 @@ struct compile_options {
     bool overlay;                   /* for drawing over frames */
     bool round;                     /* for round glass, too */
     bool fill;                      /* for targets that keep the whole picture in pixels of their own */
-    bool framebuffer;               /* for targets with all pixels in memory */
+    bool framebuffer;               /* for targets with all pixels in memory: polygons are painted there */
+    bool framebuffer_by_lines;      /* or lines are copied there, where polygons cannot be painted */
     bool wireframe;                 /* for drawing as wireframe: edges that are not the model's are known */
     enum portals_wanted portals;    /* whether to store what is seen from where; AUTO: if it pays */
     double fov_deg;                 /* the narrowest of these cameras, from top to bottom; 0: lens_usual_fov_deg() */

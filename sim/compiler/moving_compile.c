@@ -368,9 +368,10 @@ bool moving_compile_model(const struct model *model, const struct compile_option
     if (movers->light && !options->unlit) keep_movers_unlit(moving, options->mono);
     compile_options_light(options, &moving->model);
     if (!texture_budget_apply(&moving->model, options, err)) return false;
-    if (!moving->model.mover_count) return compile_part(&moving->model, NULL, options, scene, err);
-    if (options->framebuffer) return error_set(err, "--framebuffer: objects that move are drawn line by line");
-    return compile_parts(moving, options, movers->mode, scene, err);
+    const struct compile_options own = order_options_for(options, &moving->model);
+    if (!moving->model.mover_count) return compile_part(&moving->model, NULL, &own, scene, err);
+    if (own.framebuffer) return error_set(err, "--framebuffer: objects that move are drawn line by line");
+    return compile_parts(moving, &own, movers->mode, scene, err);
 }
 
 bool moving_compile_own(const char *path, const struct compile_options *options, enum moving_mode mode,

@@ -36,6 +36,23 @@ bool order_can_fill(const struct compile_options *options, const struct compiled
                      method_name(draws));
 }
 
+static bool is_painted(const struct compile_options *options, const struct model *model)
+{
+    const enum lim_method draws = compile_options_draws(options);
+    if (options->antialias || options->wireframe || options->delta || options->fill || model->mover_count) return false;
+    if (draws != LIM_NEAREST_FIRST && draws != LIM_PAINTER) return false;
+    for (size_t i = 0; i < model->face_count; i++)
+        if (model->faces[i].picture || model->faces[i].transparency) return false;
+    return true;
+}
+
+struct compile_options order_options_for(const struct compile_options *options, const struct model *model)
+{
+    struct compile_options own = *options;
+    if (own.framebuffer_by_lines && !is_painted(options, model)) own.framebuffer = false;
+    return own;
+}
+
 void order_settle_framebuffer(struct compile_report *report)
 {
     if (report->draws == LIM_SCANLINE) report->draws = LIM_PAINTER;

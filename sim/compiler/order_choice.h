@@ -7,6 +7,7 @@
 #define SIM_ORDER_CHOICE_H
 
 #include "compiler/compile_options.h"
+#include "model/model.h"
 #include "scene/compiled.h"
 
 /* What keeps the scene, or what it is to be compiled for, from being painted by scan lines; as method_scans()
@@ -23,6 +24,9 @@ bool order_choose(struct compiled *scene, const struct compile_options *options,
 /* The same of a scene with all that moves in it, whose pools it measures first. */
 bool order_choose_moving(struct compiled *scene, struct moving *moving, const struct compile_options *options,
                          struct error *err);
+
+/* The options with which a model is compiled: not for a framebuffer, where lines are copied into it. */
+struct compile_options order_options_for(const struct compile_options *options, const struct model *model);
 
 /* Once the tree is chosen, too: into a framebuffer what is best drawn by scan lines is painted back to front, which is
  * the same, but that nothing waits for its lines. What a frame costs there is not predicted. */
