@@ -36,14 +36,26 @@ static bool views_want_long(const struct grid *grid, const struct compile_option
                           options->h_px ? options->h_px : 240, &ignored);
 }
 
+static bool clean_for(const struct model *model, const struct grid_views *views, struct mesh *mesh, struct error *err)
+{
+    struct grid grid;
+    return grid_choose_long(model, views, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
+}
+
+/* Eyes so far away that faces would be too small for the grid are not made room for: who draws refuses them. */
 static bool clean_long(const struct model *model, const struct compile_options *options, struct mesh *mesh,
                        struct error *err)
 {
-    struct grid_views views = {.near_m = options->near_m};
+    const struct grid_views near = {.near_m = options->near_m};
+    struct grid_views far = near;
     struct grid grid;
-    if (!grid_choose_long(model, &views, &grid, err)) return false;
-    views.far_m = farthest_eye_m(options, &grid);
-    return grid_choose_long(model, &views, &grid, err) && mesh_clean_on(model, &grid, mesh, err);
+    struct error ignored;
+    if (!grid_choose_long(model, &near, &grid, err)) return false;
+    far.far_m = farthest_eye_m(options, &grid);
+    const bool ok = clean_for(model, &far, mesh, &ignored);
+    if (ok && !faithful_wants_finer(mesh, options)) return true;
+    if (ok) mesh_free(mesh);
+    return clean_for(model, &near, mesh, err);
 }
 
 bool coordinates_clean(const struct model *model, const struct compile_options *options, struct mesh *mesh,

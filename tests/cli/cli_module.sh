@@ -17,7 +17,7 @@ compiles() { # COMPILER...: every NAME.c in $work, a unit each
     "$@" -std=c11 -O1 $WARNINGS -Ifirmware -Ihal -Iboards/common -fsyntax-only "$work"/*.c
 }
 
-panels=$("$limner" play --panel none 2>&1 | sed 's/.*there are //; s/,//g')
+panels=$("$limner" play --panel none 2>&1 | sed 's/.*there are //; s/,//g; s/ and / /')
 
 formats() { # PANEL
     "$limner" play --panel "$1:none" 2>&1 | sed 's/.*there are //; s/,//g'
@@ -123,7 +123,7 @@ tap_check "a panel is required" is_refused \
     "--panel NAME is missing: the display's controller; \`limner help\` lists them" -o "$work/bad"
 tap_check "a name is required" is_refused "module: needs -o NAME, for NAME.c and NAME.h" --panel st7789
 tap_check "a size beyond the chip's is refused" is_refused \
-    "--panel st7789: 320x240 pixels do not fit into its memory of 240x320" --panel st7789 --size 320x240 -o "$work/bad"
+    "--panel st7789: 320x240 pixels do not fit into its memory of 240x320; --size 240x320 --rotate 90 draws a lying picture" --panel st7789 --size 320x240 -o "$work/bad"
 tap_check "a mirror that the driver refuses is refused" is_refused \
     "--mirror: ls013b7dh03 cannot" \
     --panel ls013b7dh03 --mirror -o "$work/bad"
