@@ -36,7 +36,7 @@ accepts() {
     shift 3
     # shellcheck disable=SC2046 # flags are words
     ${CCACHE:-} "$compiler" $(target_of "$target") "-std=$standard" -O2 -ffreestanding $(extra_of "$compiler") -Werror \
-        "$@" -o /dev/null
+        "$@" -o "$work/object.o"
 }
 
 renderer_is_accepted() { # COMPILER TARGET
