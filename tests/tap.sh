@@ -17,12 +17,11 @@ unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
 tap_count=0
 work=$(mktemp -d)
-# What a script has decided once it does not decide again; nothing that was remembered before answers for what is tested.
-XDG_CACHE_HOME=$(mktemp -d)
-export XDG_CACHE_HOME
-decisions=$XDG_CACHE_HOME
+# What was decided once is not decided again: a decision counts for the build that made it alone.
+LIMNER_CACHE=$(cd "$BUILD" && pwd)/decisions
+export LIMNER_CACHE
 kept=$(cd "$BUILD" && pwd)/kept/$(basename "$0" .sh)
-trap 'rm -rf "$work" "$decisions"' EXIT
+trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM
 
 tap_ok() {

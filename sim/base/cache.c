@@ -33,9 +33,11 @@ static const char *path_in(const char *variable)
 
 static bool name_folder(char out[FOLDER_B])
 {
-    const char *base = path_in("XDG_CACHE_HOME"), *home = path_in("HOME");
+    const char *named = path_in("LIMNER_CACHE"), *base = path_in("XDG_CACHE_HOME"), *home = path_in("HOME");
     int length = FOLDER_B;
-    if (base)
+    if (named)
+        length = snprintf(out, FOLDER_B, "%s", named);
+    else if (base)
         length = snprintf(out, FOLDER_B, "%s/limner", base);
     else if (home)
         length = snprintf(out, FOLDER_B, "%s/.cache/limner", home);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * What took long, for the next time: bytes by a key, in files of $XDG_CACHE_HOME/limner or ~/.cache/limner. Nothing
- * depends on it: where there is no such folder, nothing is kept; what is damaged, or of another program, is not there.
+ * What took long, for the next time: bytes by a key, in files of $LIMNER_CACHE, $XDG_CACHE_HOME/limner
+ * or ~/.cache/limner. Nothing depends on it: where there is no such folder, nothing is kept; what is damaged, or of
+ * another program, is not there.
  */
 #ifndef SIM_CACHE_H
 #define SIM_CACHE_H

@@ -389,6 +389,7 @@ static const struct usage_entry ENTRIES[] = {
     {MODELS | REPLAY | WALK,
      "  LIMNER_PROGRESS=10  seconds between lines of what long work does, where standard error is no terminal (10;\n"
      "                      0: none)\n"},
+    {MODELS | REPLAY | WALK, "  LIMNER_CACHE=DIR    where it remembers how models are best drawn (~/.cache/limner)\n"},
     {RENDER | VIEW, "  LIMNER_DUMP=x.png   write the last frame shown\n"},
     {RENDER | VIEW, "  LIMNER_CHECK=x.png  compare it; exit status 1 if it differs\n"},
     {VIEW, "  LIMNER_UNSEEN=1     view: SDL's video drivers dummy and offscreen, which show nothing, do for a window\n"

@@ -5,6 +5,7 @@
 # portals, 32 bits, profiles, panels. Decisions are remembered, and nothing hangs on that.
 . tests/tap.sh
 . tests/halved.sh
+unset LIMNER_CACHE
 export XDG_CACHE_HOME=/nonexistent # each command decides for itself
 
 limner=$(cd "$BUILD" && pwd)/limner

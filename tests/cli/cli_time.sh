@@ -3,7 +3,7 @@
 # --time-limit: commands that would go on for minutes end soon after it, say what counts, and leave nothing half-written;
 # without pressure of time they write what they write without a limit.
 . tests/tap.sh
-export XDG_CACHE_HOME=/nonexistent # what was decided before takes no time
+export LIMNER_CACHE=/nonexistent/limner # what was decided before takes no time
 
 limner=$(cd "$BUILD" && pwd)/limner
 rooms=$(pwd)/sim/scenes/rooms.obj
