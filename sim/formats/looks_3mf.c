@@ -2,6 +2,7 @@
 #include "formats/looks_3mf.h"
 
 #include "base/grow.h"
+#include "model/note_words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -145,9 +146,7 @@ struct build_look looks_3mf_of(struct looks_3mf *looks, const struct mesh_looks_
 
 void looks_3mf_note(const struct looks_3mf *looks)
 {
-    if (looks->held)
-        model_note(looks->build->model, "%zu faces reach beyond a picture that is not to repeat; it repeats",
-                   looks->held);
+    if (looks->held) model_note(looks->build->model, "%zu " WORDS_REPEATS, looks->held);
 }
 
 void looks_3mf_free(struct looks_3mf *looks)
