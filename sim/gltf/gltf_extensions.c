@@ -120,3 +120,11 @@ bool gltf_extensions_check(const char *path, const struct gltf_file *file, struc
     note_words(file, NULL, model);
     return true;
 }
+
+const char *gltf_extension_at(size_t index, bool *is_drawn, const char **words)
+{
+    if (index >= sizeof EXTENSIONS / sizeof *EXTENSIONS) return NULL;
+    *is_drawn = EXTENSIONS[index].fate == DRAWN;
+    *words = EXTENSIONS[index].words;
+    return EXTENSIONS[index].name;
+}

@@ -201,7 +201,7 @@ def write_3mf(t):
 
 # -- glTF ---------------------------------------------------------------------------------------------------------------
 
-def write_gltf(t):
+def write_gltf(t, more=()):
     blob, root = b"", {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "bufferViews": [],
                        "accessors": []}
 
@@ -273,6 +273,7 @@ def write_gltf(t):
         mesh["primitives"].append({"attributes": attributes, "mode": 2})
     if t.has("normals"):
         attributes["NORMAL"] = put([(1, 0, 0)] * 4)
+    root.update(more)
     root["buffers"] = [{"uri": "a.bin", "byteLength": len(blob)}]
     open("a.bin", "wb").write(blob)
     json.dump(root, open("a.gltf", "w"))
