@@ -70,7 +70,7 @@ static struct picture_3mf read_picture(const struct looks_3mf *looks, uint32_t i
     lib3mf_texture2d_gettilestyleuv(picture, &across, &up);
     read.repeats = across == LIB3MF_WRAP && up == LIB3MF_WRAP;
     read.number = read_bytes(looks, picture, path + (path[0] == '/'));
-    if (!read.number) model_note(looks->build->model, "the picture %s is not in it: drawn without it", path);
+    if (!read.number) model_note(looks->build->model, "the picture %s " WORDS_NOT_IN_IT, path);
     lib3mf_release(picture);
     return read;
 }

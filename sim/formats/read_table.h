@@ -8,7 +8,18 @@
 
 #include <stddef.h>
 
-enum read_format { READ_OBJ, READ_GLTF, READ_PLY, READ_STL, READ_OFF, READ_3MF, READ_FBX, READ_COLLADA, READ_FORMATS };
+enum read_format {
+    READ_OBJ,
+    READ_GLTF,
+    READ_PLY,
+    READ_STL,
+    READ_OFF,
+    READ_3MF,
+    READ_FBX,
+    READ_COLLADA,
+    READ_WAD, /* maps of Doom */
+    READ_FORMATS
+};
 
 enum read_fate {
     READ_NONE,     /* the format has none of it */

@@ -18,5 +18,11 @@
 #define WORDS_BEAMS "objects have beams, which are not drawn"
 #define WORDS_CURVES "curves and surfaces are not drawn: save them as polygons"
 #define WORDS_NO_FACES "there are no faces in it"
+#define WORDS_NO_FILE "there is no such file"
+#define WORDS_WITHOUT "; --no-textures does without"
+#define WORDS_NOT_IN_IT "is not in it: drawn without it"
+#define WORDS_GREY "grey instead"
+#define WORDS_OFF_OF_BYTES "OFF of bytes is not read; save it as text"
+#define WORDS_UDMF "is of UDMF, which is not read"
 
 #endif

@@ -3,17 +3,20 @@
 # A square of 1 m about the origin that faces +z, written in every format with one feature of that format, or as the same
 # file without the statement of it. Nothing of the program is known here.
 import json
+import os
 import struct
 
 import formats
 import one_square_xml as xml
 from one_square_fbx import write_fbx
+from one_square_wad import write_wad
 
 ORANGE = (255, 128, 0)
 SQUARE = [(-0.5, -0.5, 0.0), (0.5, -0.5, 0.0), (0.5, 0.5, 0.0), (-0.5, 0.5, 0.0)]
 WITHOUT_A_CORNER = [(-0.5, -0.5, 0.0), (0.5, -0.5, 0.0), (0.5, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.5, 0.0), (-0.5, 0.5, 0.0)]
 UVS = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]  # from the bottom
-PICTURED = {"pictures", "clamped pictures", "mirrored pictures", "parts of pictures", "holes in pictures", "pictures of light"}
+PICTURED = {"pictures", "clamped pictures", "mirrored pictures", "parts of pictures", "holes in pictures", "pictures of light",
+            "missing pictures"}
 
 
 class Thing:
@@ -40,6 +43,8 @@ class Thing:
             formats.four_png()
             if self.has("holes in pictures"):
                 holed_png("four.png")
+            if self.has("missing pictures"):
+                os.remove("four.png")
 
     def has(self, feature):
         return self.said and self.feature == feature
@@ -137,6 +142,9 @@ def write_off(t):
     faces = ["%d %s %s" % (len(t.face), " ".join(map(str, t.face)), colour)]
     if t.has("lines and points"):
         faces.append("2 0 2")
+    if t.has("other kinds"):
+        open("a.off", "wb").write(b"OFF BINARY\n" + bytes(12))
+        return "a.off"
     formats.off(word, ["%g %g %g%s" % (*p, b) for p, b in zip(t.points, behind)], faces)
     return "a.off"
 
@@ -180,7 +188,8 @@ def write_3mf(t):
         style = {"clamped pictures": 'tilestyleu="clamp"', "mirrored pictures": 'tilestyleu="mirror"'}.get(t.feature, "") if t.said else ""
         resources = '<m:texture2d id="5" path="/3D/Textures/four.png" contenttype="image/png" %s/>' % style + mf_group(
             'texture2dgroup id="6" texid="5"', "".join('<m:tex2coord u="%g" v="%g"/>' % uv for uv in t.uvs))
-        files = [("3D/Textures/four.png", open("four.png", "rb").read())]
+        if os.path.exists("four.png"):
+            files = [("3D/Textures/four.png", open("four.png", "rb").read())]
 
         def looks(corners):
             return 'pid="6" p1="%d" p2="%d" p3="%d"' % corners
@@ -281,23 +290,24 @@ def write_gltf(t, more=()):
 
 
 WRITERS = {"OBJ": write_obj, "glTF": write_gltf, "PLY": write_ply, "STL": write_stl, "OFF": write_off, "3MF": write_3mf,
-           "FBX": write_fbx, "Collada": xml.write_collada}
+           "FBX": write_fbx, "Collada": xml.write_collada, "WAD": write_wad}
 
 # What each writes something of.
 COLOURED = ["colours of faces", "colours of corners", "colours that change"]
 SHAPED = ["faces of many corners", "bent faces"]
 SCENES = ["nodes and instances", "animated nodes", "skins", "morph targets", "lights", "cameras"]
 LOOKS = ["opacity", "light of faces", "pictures of light", "shine", "bumps"]
-MAPS = ["pictures", "clamped pictures", "parts of pictures", "holes in pictures"]
+MAPS = ["pictures", "clamped pictures", "parts of pictures", "holes in pictures", "missing pictures"]
 FEATURES = {
     "OBJ": SHAPED + COLOURED + MAPS + LOOKS + ["lines and points", "curves and surfaces", "normals"],
     "glTF": COLOURED + MAPS + LOOKS + SCENES + ["mirrored pictures", "faces with two sides", "lines and points", "normals"],
-    "PLY": SHAPED + COLOURED + ["pictures", "holes in pictures", "opacity", "lines and points", "normals"],
+    "PLY": SHAPED + COLOURED + ["pictures", "holes in pictures", "missing pictures", "opacity", "lines and points", "normals"],
     "STL": ["colours of faces", "up axis", "normals"],
-    "OFF": SHAPED + COLOURED + ["opacity", "lines and points", "normals"],
-    "3MF": COLOURED + ["pictures", "clamped pictures", "mirrored pictures", "holes in pictures", "opacity", "units", "up axis",
-                       "nodes and instances", "lines and points"],
+    "OFF": SHAPED + COLOURED + ["opacity", "lines and points", "normals", "other kinds"],
+    "3MF": COLOURED + ["pictures", "clamped pictures", "mirrored pictures", "holes in pictures", "missing pictures", "opacity", "units",
+                       "up axis", "nodes and instances", "lines and points"],
     "FBX": SHAPED + COLOURED + MAPS + LOOKS + SCENES + ["faces with two sides", "units", "up axis", "lines and points", "normals"],
     "Collada": SHAPED + COLOURED + MAPS + LOOKS + SCENES + ["mirrored pictures", "faces with two sides", "units", "up axis",
                                                            "lines and points", "curves and surfaces", "normals"],
+    "WAD": ["pictures", "holes in pictures", "missing pictures", "lights", "other kinds"],
 }

@@ -32,6 +32,7 @@ DRAWN = {
     "mirrored pictures": [(0.125, -0.375, WHITE), (0.375, -0.375, BLUE), (-0.375, -0.375, BLUE)],
     "parts of pictures": [(-x, y, colour) for x, y, colour in QUARTERS],
     "opacity": whole((128, 128, 128)),
+    "lights": whole(WHITE),  # of a WAD, whose wall is white
     "holes in pictures": [(-0.25, 0.25, BLACK)] + QUARTERS[1:],
     "light of faces": whole(one_square.ORANGE),
     "pictures of light": QUARTERS,
@@ -48,7 +49,7 @@ LIGHTS_MEANS = [(0.25, -0.25, (156, 0, 213)), (-0.25, 0.25, (213, 0, 156))]  # a
 REPEATED = [(0.125, -0.375, BLUE), (0.375, -0.375, WHITE), (-0.375, -0.375, BLUE)]
 INSTEAD = {"colours that change": lambda name: {"glTF": LIGHTS_MEANS, "3MF": MEANS}.get(name, MEAN),
            "clamped pictures": lambda name: REPEATED, "mirrored pictures": lambda name: REPEATED,
-           "up axis": lambda name: whole(LIT)}
+           "up axis": lambda name: whole(LIT), "missing pictures": lambda name: whole(formats.GREY)}
 
 # Nothing in the file says it, but its format: with this option it is as if it did not.
 BY_FORMAT = {("STL", "up axis"): ("--up", "y"), ("3MF", "up axis"): ("--up", "y")}
