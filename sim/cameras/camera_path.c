@@ -21,7 +21,7 @@ enum { NUMBERS_A_LINE = 6, LINE_MOST_B = 4096, FILE_MOST_B = 64 << 20, CAMERAS_M
 static const double COORDINATE_MAX_M = 1e9;   /* keeps differences and their squares far from overflow */
 static const double TIME_MAX_S = 4e6;         /* in milliseconds 32 bits hold it */
 static const double EYE_END_Q8 = 268435456.0; /* 2^28, exclusive */
-static const double EYE_END_UNITS = 1048576.0, GRID_END_UNITS = 32768.0;
+static const double GRID_END_UNITS = 32768.0;
 static const double NEAR_MAX_Q8 = 16777216.0; /* 2^24 */
 static const double DEFAULT_FOV_DEG = 60.0;
 static const double LONG_NEAR_UNITS = 16.0; /* eyes come as near to the smallest things as others do to large ones */
@@ -308,12 +308,26 @@ static void settle_height(const struct compiled *scene, const struct lens *lens,
     orbit->centre_m[1] = (low_m + high_m) / 2.0;
 }
 
+static double eye_end_units(const struct grid *grid)
+{
+    return grid->is_long ? LIM_LONG_EYE_END - 1 : EYE_END_Q8 / 256.0;
+}
+
+/* How far from an orbit's centre an eye can be in each direction. */
+static double orbit_most_m(const struct grid *grid, const double centre_m[3])
+{
+    double aside_units = 0.0;
+    for (int i = 0; i < 3; i++)
+        aside_units = fmax(aside_units, fabs(centre_m[i] - grid->origin_m[i]) * grid->units_per_m);
+    return (eye_end_units(grid) - (grid->is_long ? aside_units + 1.0 : GRID_END_UNITS)) / grid->units_per_m;
+}
+
 /* Where no eye can be so far away that all of it is in view, from where it is along the picture's longer side alone: a
  * picture of one line shows a slice. Or from as far away as an eye can be. */
 static double orbit_seen_from_m(const struct compiled *scene, const struct lens *lens, const struct orbit *orbit,
                                 double margin)
 {
-    const double most_m = (EYE_END_UNITS - GRID_END_UNITS) / scene->grid.units_per_m;
+    const double most_m = orbit_most_m(&scene->grid, orbit->centre_m);
     const double all_m = margin * orbit_distance_m(scene, lens, orbit);
     struct lens slice = *lens;
     if (all_m <= most_m) return all_m;
@@ -475,11 +489,6 @@ void camera_put(struct lim_camera *camera, int axis, double eye_units, const str
     const double eye_q8 = round(eye_units * 256.0);
     camera->origin[axis] = grid->is_long ? (int32_t)floor(eye_q8 / 256.0) : 0;
     camera->eye_q8[axis] = (int32_t)(eye_q8 - 256.0 * camera->origin[axis]);
-}
-
-static double eye_end_units(const struct grid *grid)
-{
-    return grid->is_long ? LIM_LONG_EYE_END - 1 : EYE_END_Q8 / 256.0;
 }
 
 double camera_eye_end_m(const struct grid *grid)

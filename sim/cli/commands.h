@@ -28,6 +28,7 @@ int cmd_export(int argc, char **argv);
 int cmd_worst(int argc, char **argv);
 int cmd_report(int argc, char **argv);
 int cmd_walk(int argc, char **argv);
+int cmd_formats(int argc, char **argv);
 int cmd_wad(int argc, char **argv);
 
 #endif

@@ -35,7 +35,8 @@ static const struct command {
                 {"boot2", cmd_boot2, false, false},     {"report-bug", cmd_report_bug, true, true},
                 {"replay", cmd_replay, true, true},     {"export", cmd_export, true, true},
                 {"worst", cmd_worst, true, true},       {"report", cmd_report, true, true},
-                {"wad", cmd_wad, false, false},         {"walk", cmd_walk, true, true}};
+                {"wad", cmd_wad, false, false},         {"walk", cmd_walk, true, true},
+                {"formats", cmd_formats, false, false}};
 
 static bool asks_for_help(const char *argument)
 {

@@ -33,6 +33,7 @@ enum {
     PAGE = 1 << 20,
     WALK = 1 << 22, /* 21: wad, which takes none */
     SWEEP = 1 << 23,
+    FORMATS = 1 << 24,
     ONE = WORST | PAGE,
     SCENES = COMPILE | RENDER | VIEW | PLAY | REPORT_BUG | EXPORT,
     MODELS = SCENES | MEASURE | COMPARE | SPLITTERS | ONE,
@@ -98,6 +99,7 @@ static const struct usage_command COMMANDS[] = {
      "Plans a `limner measure` for each model and setting, as commands for sh, GNU parallel or Slurm; joins their "
      "results.",
      "limner sweep a.obj b.obj --precision fast,exact --method auto,nearest -o out/sweep"},
+    {"formats", "", "Lists what is read of each format of models, and what becomes of the rest.", "limner formats"},
 };
 
 static const struct usage_entry ENTRIES[] = {
@@ -364,6 +366,8 @@ static const struct usage_entry ENTRIES[] = {
     {DECODE | FIRST, "  -o PATTERN, --write-hashes FILE, --check FILE  as render\n"},
     {DECODE, "  --check-loop FILE   of frames that are shown for ever, seen from any of them on\n"},
     {0, "hashes: --write-hashes FILE, --check FILE as render; --shrink N: a pixel is NxN of the picture's (1)\n"},
+    {0, "formats: --markdown: as tables for a page\n"},
+    {FORMATS | ALONE, "  --markdown          as tables for a page\n"},
     {HASHES | ALONE, "  --shrink N          a pixel is NxN of the picture's (1)\n"},
     {0, "report-bug: what render takes; pictures are left out\n"},
     {BRIDGE | ALONE | FIRST, "  --panel NAME, --size WxH  of one display alone (all that there are, of usual sizes)\n"},

@@ -9,6 +9,7 @@
 #include "base/rgb888.h"
 #include "base/vec3.h"
 #include "colour.h"
+#include "model/note_words.h"
 
 #include <float.h>
 #include <math.h>
@@ -416,7 +417,7 @@ bool texture_arrays_check(const struct texture_arrays *arrays, struct error *err
             encoding_check_count(arrays->texture_count, "textures, each light counted", &why) &&
             encoding_check_count(arrays->palette_colours, "colours of palettes", &why) &&
             encoding_check_count(arrays->texel_count / LIM_TEXEL_BLOCK, "blocks of texels", &why)) ||
-           error_set(err, "%s; --no-textures does without", why.text);
+           error_set(err, "%s" WORDS_WITHOUT, why.text);
 }
 
 void texture_encoder_free(struct texture_encoder *encoder)

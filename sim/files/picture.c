@@ -5,6 +5,7 @@
 
 #include "base/names.h"
 #include "files/companion.h"
+#include "model/note_words.h"
 #include "pictures/picture_size.h"
 
 #include <assimp/material.h>
@@ -203,7 +204,7 @@ static void read_file(struct picture *picture, const char *name)
     size_t size_b = 0;
     FILE *file = companion_open(name, LARGEST_FILE_B, &size_b, &err);
     if (!file && (errno == ENOENT || errno == ENOTDIR))
-        refuse(picture, "there is no such file");
+        refuse(picture, WORDS_NO_FILE);
     else if (!file && errno == EISDIR)
         refuse(picture, "it is a folder");
     else if (!file && errno == ENAMETOOLONG)

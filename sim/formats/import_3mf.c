@@ -9,6 +9,7 @@
 #include "base/grow.h"
 #include "files/whole_file.h"
 #include "formats/looks_3mf.h"
+#include "model/note_words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -269,7 +270,7 @@ static void note_left_out(const struct package *package)
     struct model *model = package->build->model;
     if (package->supports) model_note(model, "%zu objects are supports for printing, and left out", package->supports);
     if (package->others) model_note(model, "%zu objects are of the kind 'other', and left out", package->others);
-    if (package->beamed) model_note(model, "%zu objects have beams, which are not drawn", package->beamed);
+    if (package->beamed) model_note(model, "%zu " WORDS_BEAMS, package->beamed);
     if (package->sliced) model_note(model, "%zu objects have slices; drawn is their mesh", package->sliced);
     looks_3mf_note(&package->looks);
 }

@@ -10,6 +10,7 @@
 #include "files/text_lines.h"
 #include "files/whole_file.h"
 #include "formats/model_limits.h"
+#include "model/note_words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -96,7 +97,7 @@ static bool read_head(struct off *off)
     }
     if (!read_dimension(off)) return false;
     if (!word.length && !text_any_word(&off->text, &word)) return fail_at_line(off, "the file ends within its head");
-    if (word_is(&word, "binary")) return fail_at_line(off, "OFF of bytes is not read; save it as text");
+    if (word_is(&word, "binary")) return fail_at_line(off, WORDS_OFF_OF_BYTES);
     return read_counts(off, word);
 }
 

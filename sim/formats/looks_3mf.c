@@ -2,6 +2,7 @@
 #include "formats/looks_3mf.h"
 
 #include "base/grow.h"
+#include "model/note_words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -69,7 +70,7 @@ static struct picture_3mf read_picture(const struct looks_3mf *looks, uint32_t i
     lib3mf_texture2d_gettilestyleuv(picture, &across, &up);
     read.repeats = across == LIB3MF_WRAP && up == LIB3MF_WRAP;
     read.number = read_bytes(looks, picture, path + (path[0] == '/'));
-    if (!read.number) model_note(looks->build->model, "the picture %s is not in it: drawn without it", path);
+    if (!read.number) model_note(looks->build->model, "the picture %s " WORDS_NOT_IN_IT, path);
     lib3mf_release(picture);
     return read;
 }
@@ -145,9 +146,7 @@ struct build_look looks_3mf_of(struct looks_3mf *looks, const struct mesh_looks_
 
 void looks_3mf_note(const struct looks_3mf *looks)
 {
-    if (looks->held)
-        model_note(looks->build->model, "%zu faces reach beyond a picture that is not to repeat; it repeats",
-                   looks->held);
+    if (looks->held) model_note(looks->build->model, "%zu " WORDS_REPEATS, looks->held);
 }
 
 void looks_3mf_free(struct looks_3mf *looks)

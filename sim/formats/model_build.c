@@ -7,6 +7,7 @@
 #include "files/picture.h"
 #include "formats/float_step.h"
 #include "formats/model_limits.h"
+#include "model/note_words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -226,7 +227,7 @@ static void take_colours(struct model_build *build)
 static bool finish(struct model_build *build)
 {
     struct model *model = build->model;
-    if (!model->face_count) return error_set(build->err, "%s: there are no faces in it", build->path);
+    if (!model->face_count) return error_set(build->err, "%s: " WORDS_NO_FACES, build->path);
     take_colours(build);
     cut_holes(build);
     if (model->picture_count) {

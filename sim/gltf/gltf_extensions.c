@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "gltf/gltf_extensions.h"
 
+#include "model/note_words.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -17,8 +19,8 @@ static const struct extension {
     enum fate fate;
     const char *words;
 } EXTENSIONS[] = {
-    {"EXT_lights_ies", LEFT_OUT, "its lights are not drawn; faces are lit by a lamp of the renderer's own"},
-    {"EXT_lights_image_based", LEFT_OUT, "its lights are not drawn; faces are lit by a lamp of the renderer's own"},
+    {"EXT_lights_ies", LEFT_OUT, WORDS_LIGHTS},
+    {"EXT_lights_image_based", LEFT_OUT, WORDS_LIGHTS},
     {"EXT_mesh_features", UNSEEN, NULL},
     {"EXT_mesh_gpu_instancing", DRAWN, NULL},
     {"EXT_meshopt_compression", DRAWN, NULL},
@@ -29,17 +31,17 @@ static const struct extension {
     {"KHR_animation_pointer", LEFT_OUT, "what it animates stands still; nodes alone move"},
     {"KHR_audio", UNSEEN, NULL},
     {"KHR_draco_mesh_compression", DRAWN, NULL},
-    {"KHR_lights_punctual", LEFT_OUT, "its lights are not drawn; faces are lit by a lamp of the renderer's own"},
-    {"KHR_materials_anisotropy", LEFT_OUT, "shine is not drawn"},
-    {"KHR_materials_clearcoat", LEFT_OUT, "shine is not drawn"},
+    {"KHR_lights_punctual", LEFT_OUT, WORDS_LIGHTS},
+    {"KHR_materials_anisotropy", LEFT_OUT, WORDS_SHINE},
+    {"KHR_materials_clearcoat", LEFT_OUT, WORDS_SHINE},
     {"KHR_materials_diffuse_transmission", LEFT_OUT, "what lets light through is drawn opaque"},
     {"KHR_materials_dispersion", LEFT_OUT, "what breaks light is drawn opaque"},
     {"KHR_materials_emissive_strength", DRAWN, NULL},
-    {"KHR_materials_ior", LEFT_OUT, "shine is not drawn"},
-    {"KHR_materials_iridescence", LEFT_OUT, "shine is not drawn"},
+    {"KHR_materials_ior", LEFT_OUT, WORDS_SHINE},
+    {"KHR_materials_iridescence", LEFT_OUT, WORDS_SHINE},
     {"KHR_materials_pbrSpecularGlossiness", DRAWN, NULL},
-    {"KHR_materials_sheen", LEFT_OUT, "shine is not drawn"},
-    {"KHR_materials_specular", LEFT_OUT, "shine is not drawn"},
+    {"KHR_materials_sheen", LEFT_OUT, WORDS_SHINE},
+    {"KHR_materials_specular", LEFT_OUT, WORDS_SHINE},
     {"KHR_materials_transmission", LEFT_OUT, "glass is drawn opaque; alphaMode BLEND makes it clear"},
     {"KHR_materials_unlit", DRAWN, NULL},
     {"KHR_materials_variants", LEFT_OUT, "the materials that meshes name themselves are drawn, not the variants"},
@@ -117,4 +119,12 @@ bool gltf_extensions_check(const char *path, const struct gltf_file *file, struc
         if (EXTENSIONS[i].words && is_first_with_words(i)) note_words(file, EXTENSIONS[i].words, model);
     note_words(file, NULL, model);
     return true;
+}
+
+const char *gltf_extension_at(size_t index, bool *is_drawn, const char **words)
+{
+    if (index >= sizeof EXTENSIONS / sizeof *EXTENSIONS) return NULL;
+    *is_drawn = EXTENSIONS[index].fate == DRAWN;
+    *words = EXTENSIONS[index].words;
+    return EXTENSIONS[index].name;
 }

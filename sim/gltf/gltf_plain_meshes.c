@@ -7,6 +7,7 @@
 
 #include "base/grow.h"
 #include "base/map.h"
+#include "model/note_words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -345,10 +346,8 @@ static bool any_is_packed(const json_t *all)
 static void note_what_is_left_out(const struct meshes *meshes)
 {
     struct model *model = meshes->work->model;
-    if (meshes->lines) model_note(model, "%zu lists of points or lines are not drawn; faces are", meshes->lines);
-    if (meshes->morphed)
-        model_note(model, "%zu meshes are drawn without their morph targets, whose weights change their shape",
-                   meshes->morphed);
+    if (meshes->lines) model_note(model, "%zu " WORDS_LISTS_OF_LINES, meshes->lines);
+    if (meshes->morphed) model_note(model, "%zu " WORDS_MORPHS, meshes->morphed);
     if (meshes->untransformed)
         model_note(model,
                    "%zu textures of what Draco has packed are drawn without KHR_texture_transform; export it without "

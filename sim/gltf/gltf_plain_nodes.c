@@ -4,6 +4,7 @@
 #include "gltf/gltf_plain_work.h"
 
 #include "base/grow.h"
+#include "model/note_words.h"
 
 #include <stdlib.h>
 
@@ -33,9 +34,7 @@ void gltf_plain_nodes(struct gltf_work *work)
         skinned += json_object_get(node, "skin") && has_faces(work, node);
         make_node(work, node);
     }
-    if (skinned)
-        model_note(work->model, "%zu meshes have a skeleton (skin): they are drawn as they were modelled, not posed",
-                   skinned);
+    if (skinned) model_note(work->model, "%zu " WORDS_SKINS, skinned);
 }
 
 /* Animations ----------------------------------------------------------------------------------- */

@@ -4,6 +4,7 @@
 #include "levels/level.h"
 
 #include "base/grow.h"
+#include "model/note_words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -188,7 +189,7 @@ static bool find_map(struct reading *reading)
     reading->first = reading->end = i;
     while (reading->end < wad->lump_count && reading->end < i + MAP_LUMPS && is_of_a_map(wad->lumps[reading->end].name))
         reading->end++;
-    if (reading->end == i) return error_set(reading->err, "%s: %s: is of UDMF, which is not read", path, map);
+    if (reading->end == i) return error_set(reading->err, "%s: %s: " WORDS_UDMF, path, map);
     return !lump_of(reading, "BEHAVIOR") || error_set(reading->err,
                                                       "%s: %s: is of Hexen's format, which is not read; "
                                                       "only Doom's is",

@@ -8,6 +8,7 @@
 #include "levels/level_path.h"
 #include "levels/level_sectors.h"
 #include "levels/level_walls.h"
+#include "model/note_words.h"
 #include "scene.h"
 
 #include <stdio.h>
@@ -98,7 +99,7 @@ static void note_sectors(const struct level_sectors *sectors, struct model *mode
 static void note_textures(const struct level_textures *textures, struct model *model)
 {
     if (textures->unknown_count)
-        model_note(model, "textures that are missing: %zu, %s among them; grey instead", textures->unknown_count,
+        model_note(model, "textures that are missing: %zu, %s among them; " WORDS_GREY, textures->unknown_count,
                    textures->unknown);
     if (textures->broken_count)
         model_note(model, "parts of textures that are broken or missing: %zu, %s of %s among them",

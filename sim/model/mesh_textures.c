@@ -5,6 +5,7 @@
 
 #include "base/grow.h"
 #include "base/names.h"
+#include "model/note_words.h"
 #include "model/texture_cut.h"
 #include "scene.h"
 
@@ -155,8 +156,7 @@ bool mesh_textures_make(const struct model *model, struct mesh *mesh, struct err
         note_opaque(mesh, picture);
         if (!picture->faces) continue;
         if (!picture->w_px && !picture->left_out)
-            return error_set(err, "texture %s: %s; --no-textures does without", name_end(picture->name).text,
-                             picture->reason);
+            return error_set(err, "texture %s: %s" WORDS_WITHOUT, name_end(picture->name).text, picture->reason);
         if (!picture->w_px) {
             note_left_out(mesh, picture);
             continue;

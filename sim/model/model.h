@@ -75,6 +75,7 @@ struct model {
     bool is_stopped;                    /* the file has animations, which were left out */
     double lattice_m;                   /* every coordinate is a multiple of this; 0: of nothing that is known */
     bool is_interior;                   /* seen from within alone: no eye is meant to be where backs are seen */
+    bool says_z_up;                     /* the file itself, and it was not turned yet */
     bool z_was_up, faces_were_reversed; /* by model_orientation.h; the file has them otherwise */
     char textures_became[192];          /* all of them, for --texture-budget, for people; empty: nothing */
     char notice[8192]; /* lines of what was left out, or is not as it should be, and why; empty: nothing */

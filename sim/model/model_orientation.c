@@ -6,6 +6,7 @@
 
 #include "base/vec3.h"
 #include "model/face_normal.h"
+#include "model/note_words.h"
 #include "model/winding.h"
 
 #include <string.h>
@@ -69,8 +70,6 @@ static int stands_on(const struct model *model)
     return z >= STANDS && y < LIES_BESIDE ? 2 : 0;
 }
 
-static const char MOSTLY_Z[] = "z is up, as in most files of that kind; --up y, if not";
-
 static bool is_z_up(const struct orientation *orientation, enum up_custom custom, struct model *model)
 {
     if (orientation->up != UP_BY_EVIDENCE) return orientation->up == UP_Z;
@@ -80,7 +79,7 @@ static bool is_z_up(const struct orientation *orientation, enum up_custom custom
     if (custom == CUSTOM_Y) return false;
     if (axis == 1) model_note(model, "y is up, it stands on its least y; --up z, if not");
     if (axis == 1) return false;
-    model_note(model, axis == 2 ? "z is up, it stands on its least z; --up y, if not" : MOSTLY_Z);
+    model_note(model, axis == 2 ? "z is up, it stands on its least z; --up y, if not" : WORDS_Z_UP);
     return true;
 }
 
@@ -143,7 +142,7 @@ static void reverse_faces(struct model *model)
 static void apply_to_turned(const struct orientation *orientation, struct model *model)
 {
     if (orientation->up == UP_Y) turn_back(model);
-    if (orientation->up == UP_BY_EVIDENCE && stands_on(model) != 1) model_note(model, MOSTLY_Z);
+    if (orientation->up == UP_BY_EVIDENCE && stands_on(model) != 1) model_note(model, WORDS_Z_UP);
 }
 
 /* Some importers hand over faces that all have two sides (OFF). */

@@ -11,12 +11,14 @@
 #include "files/companion.h"
 #include "files/picture.h"
 #include "formats/float_step.h"
+#include "formats/left_out.h"
 #include "formats/model_limits.h"
 #include "formats/own_formats.h"
 #include "gltf/gltf_plain.h"
 #include "levels/level_import.h"
 #include "levels/level_path.h"
 #include "model/model_colour.h"
+#include "model/note_words.h"
 #include "readers/import_motion.h"
 #include "readers/import_pictures.h"
 #include "readers/model_io.h"
@@ -252,7 +254,7 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
 static bool allocate(struct import *import)
 {
     struct model *model = import->model;
-    if (model->face_count == 0) return error_set(import->err, "%s: there are no faces in it", import->path);
+    if (model->face_count == 0) return error_set(import->err, "%s: " WORDS_NO_FACES, import->path);
     model->points = calloc(model->point_count, sizeof *model->points);
     model->corners = calloc(model->corner_count, sizeof *model->corners);
     model->faces = calloc(model->face_count, sizeof *model->faces);
@@ -352,6 +354,7 @@ static void take_unit(struct import *import)
 {
     const double unit_m = model_unit_m(import->path, import->scene);
     if (unit_m != 1) model_to_metres(import->model, unit_m);
+    import->model->says_z_up = model_says_z_up(import->path, import->scene);
     float_step_note(import->model, import->step_m * unit_m);
 }
 
@@ -374,6 +377,7 @@ static bool import_by_library(const char *path, struct model *model, struct erro
     if (ok) note_sky(model, import.pictures.has_sky);
     motions_free(&import.motions);
     if (ok) obj_tell(&import.numbers.obj, model);
+    if (ok && !import.plain.path && !path_has_suffix(path, ".obj")) left_out_tell(import.scene, model);
     import_pictures_free(&import.pictures);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);
@@ -398,9 +402,7 @@ bool import_model(const char *path, struct model *model, struct error *err)
     if (!model_io_check(path, err)) return false;
     model_builder *const own = own_format_of(path);
     if (!(own ? import_own(path, own, model, err) : import_by_library(path, model, err))) return false;
-    if (model->faces_of_many_colours)
-        model_note(model, "%zu faces have colours that change over them; each is drawn in their mean",
-                   model->faces_of_many_colours);
+    if (model->faces_of_many_colours) model_note(model, "%zu " WORDS_MEAN_COLOURS, model->faces_of_many_colours);
     companions_tell(model);
     return true;
 }

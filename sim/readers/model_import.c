@@ -38,7 +38,7 @@ struct result {
     size_t point_count, corner_count, face_count, alpha_clamped, picture_count;
     bool has_uvs;
     double lattice_m;
-    bool is_interior, is_stopped;
+    bool is_interior, is_stopped, says_z_up;
     size_t mover_count, key_count;
     char notice[sizeof((struct model *)0)->notice];
     struct error err;
@@ -125,6 +125,7 @@ _Noreturn static void run_child(const char *path, rlim_t file_b, FILE *read, FIL
     result.has_uvs = model.uvs != NULL;
     result.lattice_m = model.lattice_m;
     result.is_interior = model.is_interior;
+    result.says_z_up = model.says_z_up;
     result.is_stopped = model.is_stopped;
     result.mover_count = model.mover_count;
     result.key_count = model.key_count;
@@ -171,6 +172,7 @@ static bool read_result(const char *path, FILE *in, struct model *model, struct 
     model->alpha_clamped = result.alpha_clamped;
     model->lattice_m = result.lattice_m;
     model->is_interior = result.is_interior;
+    model->says_z_up = result.says_z_up;
     model->is_stopped = result.is_stopped;
     model->mover_count = result.mover_count;
     model->key_count = result.key_count;

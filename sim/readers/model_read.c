@@ -29,7 +29,7 @@ static enum up_custom custom_of(const char *path)
 bool model_read(const char *path, const struct orientation *orientation, struct model *model, struct error *err)
 {
     if (!model_import(path, model, err)) return false;
-    orientation_apply(orientation, custom_of(path), model);
+    orientation_apply(orientation, model->says_z_up ? CUSTOM_ALWAYS_Z : custom_of(path), model);
     bool known;
     if (texture_wrap_cuts(model) && !source_find(path, model, &known, err)) {
         model_free(model);

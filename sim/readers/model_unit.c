@@ -26,6 +26,16 @@ static double fbx_unit_m(const struct aiScene *scene)
     return CENTIMETRE_M;
 }
 
+bool model_says_z_up(const char *path, const struct aiScene *scene)
+{
+    static const int z_axis = 2;
+    const struct aiMetadata *metadata = path_has_suffix(path, ".fbx") ? scene->mMetaData : NULL;
+    for (unsigned i = 0; metadata && i < metadata->mNumProperties; i++)
+        if (strcmp(metadata->mKeys[i].data, "UpAxis") == 0 && metadata->mValues[i].mType == AI_INT32)
+            return *(const int32_t *)metadata->mValues[i].mData == z_axis;
+    return false;
+}
+
 static double amf_unit_m(const char *text)
 {
     static const struct {

@@ -15,4 +15,7 @@ double model_unit_m(const char *path, const struct aiScene *scene);
 /* Makes metres of such units, of points and of what moves. */
 void model_to_metres(struct model *model, double unit_m);
 
+/* FBX again: its UpAxis is z, and the library hands it over as it is. */
+bool model_says_z_up(const char *path, const struct aiScene *scene);
+
 #endif

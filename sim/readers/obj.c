@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "readers/obj.h"
 
+#include "model/note_words.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -71,8 +73,8 @@ void obj_tell(const struct obj *obj, struct model *model)
     tell(model, "statements are left out, as they are not known", &obj->left_out);
     if (obj->full_colour > 1)
         model_note(model, "its vertices' colours are whole numbers, which are taken as parts of 255");
-    if (obj->curves) model_note(model, "%zu curves and surfaces are not drawn: save them as polygons", obj->curves);
-    if (obj->lines) model_note(model, "%zu lines and points are not drawn, only faces are", obj->lines);
+    if (obj->curves) model_note(model, "%zu " WORDS_CURVES, obj->curves);
+    if (obj->lines) model_note(model, "%zu " WORDS_LINES, obj->lines);
     if (obj->weights)
         model_note(model, "%zu vertices have a weight behind x, y and z that is not 1: it is of curves, and left out",
                    obj->weights);

@@ -24,6 +24,7 @@ list() {
 accuracy quick tables accuracy /limner /scenes/demo.obj
 bridge quick tables bridge /limner
 delta quick tables delta /limner
+formats quick tables formats /limner
 figures quick bench-baseline bench
 peers quick bench-baseline bench
 bench quick bench-baseline bench

@@ -60,7 +60,7 @@ base_of() { # COMMAND
     decode) echo "--panel st7735 $work/none.log" ;;
     uf2 | boot2 | espimage) echo "$work/none.bin -o $work/none/x.c" ;;
     export) echo "--for plain -o $work/none --panel st7735 $work/none.obj" ;;
-    bridge | devices | hashes) ;;
+    bridge | devices | formats | hashes) ;;
     *) echo "$work/none.obj" ;;
     esac
 }

@@ -40,6 +40,7 @@ tap_check "and no other table does" no_other_marker
 tap_check "these goals are make's, and write it" goals_exist
 tap_check "accuracy is what is measured now" sh "$tables" --check accuracy
 tap_check "so is what delta output sends to an SSD1306" sh "$tables" --check delta:ssd1306
+tap_check "so is what is read of each format" sh "$tables" --check formats
 
 # -- A project of its own, whose one table is made by the lines of a script -----------------------------------------------
 
