@@ -11,6 +11,7 @@
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 static const double HALF = 0.5;
@@ -32,11 +33,34 @@ static bool vertices_have_colours(const struct aiMesh *mesh)
     return false;
 }
 
+/* Of old files of Blender the library takes a colour's bytes for numbers with a sign, and leaves them so. */
+static bool are_signed_bytes(const struct aiMesh *mesh)
+{
+    bool any_below_0 = false;
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        const struct aiColor4D *c = &mesh->mColors[0][i];
+        const float parts[4] = {c->r, c->g, c->b, c->a};
+        for (int k = 0; k < 4; k++) {
+            if (!(parts[k] >= INT8_MIN && parts[k] <= INT8_MAX) || parts[k] != rintf(parts[k])) return false;
+            any_below_0 |= parts[k] < 0;
+        }
+    }
+    return any_below_0;
+}
+
+static double from_signed_byte(float part)
+{
+    return (part < 0 ? part + 256.0 : part) / 255.0;
+}
+
 static struct model_paint default_paint(const struct aiMesh *mesh)
 {
     const bool by_vertex = vertices_have_colours(mesh);
     const double grey = by_vertex ? 1.0 : (MODEL_DEFAULT_COLOUR & 0xFF) / 255.0;
-    return (struct model_paint){.rgb = {grey, grey, grey}, .opacity = 1.0, .by_vertex = by_vertex};
+    return (struct model_paint){.rgb = {grey, grey, grey},
+                                .opacity = 1.0,
+                                .by_vertex = by_vertex,
+                                .signed_bytes = by_vertex && are_signed_bytes(mesh)};
 }
 
 static float number_of(const struct aiMaterial *material, const char *key, unsigned type, unsigned index,
@@ -85,8 +109,10 @@ struct model_paint model_paint_of(const struct aiScene *scene, const struct aiMe
     bool found = base || (!is_made_up(material) &&
                           aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &colour) == aiReturn_SUCCESS);
     if (found)
-        paint =
-            (struct model_paint){.rgb = {colour.r, colour.g, colour.b}, .linear = base, .by_vertex = paint.by_vertex};
+        paint = (struct model_paint){.rgb = {colour.r, colour.g, colour.b},
+                                     .linear = base,
+                                     .by_vertex = paint.by_vertex,
+                                     .signed_bytes = paint.signed_bytes};
     int shading = 0;
     aiGetMaterialIntegerArray(material, AI_MATKEY_SHADING_MODEL, &shading, NULL);
     paint.unlit = shading == aiShadingMode_NoShading;
@@ -105,7 +131,9 @@ static struct mean_colour corners_of(const struct model_paint *paint, const stru
     struct mean_colour mean = {.count = 0};
     for (unsigned i = 0; paint->by_vertex && i < face->mNumIndices; i++) {
         const struct aiColor4D *c = &mesh->mColors[0][face->mIndices[i]];
-        mean_colour_add(&mean, (const double[4]){c->r, c->g, c->b, c->a});
+        mean_colour_add(&mean, paint->signed_bytes ? (const double[4]){from_signed_byte(c->r), from_signed_byte(c->g),
+                                                                       from_signed_byte(c->b), from_signed_byte(c->a)}
+                                                   : (const double[4]){c->r, c->g, c->b, c->a});
     }
     return mean;
 }

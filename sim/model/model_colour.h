@@ -18,6 +18,7 @@ struct model_paint {
     bool two_sided;      /* the material asks for both sides */
     double light[3];     /* linear light that it emits, which is added once it is lit; no longer between 0 and 1 */
     bool by_vertex;      /* vertices have colours */
+    bool signed_bytes;   /* these are bytes that were read as -128 to 127 */
     bool unlit;          /* it is not to be lit: `illum 0` of MTL, KHR_materials_unlit of glTF */
 };
 
