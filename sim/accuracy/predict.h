@@ -10,7 +10,7 @@
 #include "scene/compiled.h"
 
 /* Half of the cameras look anywhere, half at faces of all sizes, from as near as these are small. */
-enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48, PREDICT_GRAZING = 24, PREDICT_SCENES_MAX = 4 };
+enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48, PREDICT_GRAZING = 48, PREDICT_SCENES_MAX = 4 };
 
 /* `reference` holds the source polygons for pictures of PREDICT_SIDE_PX; `groups` as in compare.h. A scene that does
  * not know its original has all cameras anywhere. What moves in it (scene->moving) is elsewhere in each frame, and half
