@@ -9,8 +9,8 @@
 #include <math.h>
 
 enum { TRIES = 1000, APART_UNITS = 16 };
-static const double HIGHEST = 0.5, LOWEST = 0.01; /* in widths of the face */
-static const double BESIDE = 0.5;                   /* the share of eyes that stand beside the face, not over it */
+static const double HIGHEST = 0.5, LOWEST = 0.02; /* in widths of the face */
+static const double BESIDE = 0.65;                /* the share of eyes that stand beside the face, not over it */
 
 static const double *corner_m(const struct original *original, const struct original_face *face, size_t i)
 {

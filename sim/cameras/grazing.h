@@ -6,8 +6,8 @@
 
 #include "cameras/sample.h"
 
-/* An eye a little above the plane of a face of the model, in front, from a quarter of the face's width down to a
- * five-hundredth, small heights as often as large ones by the logarithm, but no lower than twice the near plane. Faces
+/* An eye a little above the plane of a face of the model, in front, from half of the face's width down to a
+ * fiftieth, small heights as often as large ones by the logarithm, but no lower than twice the near plane. Faces
  * are drawn by their area. The eye looks from over one point of the face towards another one, or from beside the face;
  * level, or down to that point, or in between. What moves is not looked at. False: no free space is found there, or
  * scene->original is not known. */
