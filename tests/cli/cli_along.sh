@@ -15,7 +15,7 @@ predicted_right() { # KIND
     # shellcheck disable=SC2086 # words
     "$limner" compile "$work/$1.obj" --report $tree >"$work/report" &&
         "$limner" measure "$work/$1.obj" --no-cost --precision fast $tree --camera "$work/$1.cam" >"$work/found" || return 1
-    awk -F ' *[|] *' '/wrong pixels, grazing views/ { split($0, word, " "); predicted = word[4] }
+    awk -F ' *[|] *' '/wrong pixels, grazing views/ { split($0, word, " "); predicted = word[5] }
         $2 == "fast" { measured = $4 }
         END {
             print predicted, measured

@@ -14,7 +14,7 @@ one() { # KIND SEED FOLDER
     for profile in fast fine exact; do
         # shellcheck disable=SC2086 # words
         "$limner" compile "$scene.obj" --report --precision $profile $tree 2>/dev/null |
-            awk '/wrong pixels, predicted/ { all = $4 } /wrong pixels, grazing/ { print all, $4 }' >"$scene.said"
+            awk '/wrong pixels, predicted/ { all = $4 } /wrong pixels, grazing/ { print all, $5 }' >"$scene.said"
         # shellcheck disable=SC2086
         "$limner" measure "$scene.obj" --no-cost --precision $profile $tree --camera "$scene.cam" 2>/dev/null |
             awk -F ' *[|] *' -v profile=$profile '$2 == profile { print $4; exit }' >"$scene.found"
