@@ -536,12 +536,12 @@ tables: ## [measure] write the quick tables of pages anew; TABLES="delta-cost bo
 footprint: ## [measure] compile the table of flash, RAM and stack anew
 tradeoff: ## [measure] measure accuracy against cost; everything into out/tradeoff/
 scale: ## [measure] measure how costs grow with a scene
-predictions: ## [measure] hold predicted wrong pixels against measured ones, of 47 models
+predictions: ## [measure] hold predicted wrong pixels against measured ones, of 47 models and of paths along faces
 compare: ## [measure] measure every visibility method; everything into out/compare/
 
 tables: $(if $(filter foreign,$(TABLES)),tests/foreign.sh) $(if $(filter methods,$(TABLES)),$(BUILD)/generate_bench)
 tables footprint tradeoff scale predictions compare: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages
-	$(LIVE)sh sim/tools/tables.sh --write $(if $(filter tables,$@),$(TABLES),$@)
+	$(LIVE)sh sim/tools/tables.sh --write $(if $(filter tables,$@),$(TABLES),$@) $(if $(filter predictions,$@),along)
 
 first-hour: ## [measure] do what README tells a newcomer on a bare Debian, as root, and write its megabytes and minutes; HOURS=no: megabytes alone
 	$(LIVE)sh sim/tools/first_hour.sh

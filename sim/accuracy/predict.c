@@ -8,6 +8,7 @@
 #include "base/deadline.h"
 #include "base/grow.h"
 #include "base/progress.h"
+#include "cameras/grazing.h"
 #include "cameras/sample.h"
 #include "render/ids.h"
 #include "scene/moving.h"
@@ -18,7 +19,7 @@
 static const double SHARE = 0.5; /* of the time that is left */
 enum { HELD_OUT_SEED = 77 };
 
-enum view_kind { VIEW_ANYWHERE, VIEW_NEAR, VIEW_PORTRAIT, VIEW_KINDS };
+enum view_kind { VIEW_ANYWHERE, VIEW_NEAR, VIEW_PORTRAIT, VIEW_GRAZING, VIEW_KINDS };
 
 /* A scene, and what it shows wrong. */
 struct candidate {
@@ -43,7 +44,7 @@ static double pose_movers(struct predicting *predicting)
 {
     struct moving *moving = predicting->scene->moving;
     if (!moving) return 0.0;
-    const double time_s = moving_time_s(moving, predicting->done, PREDICT_CAMERAS);
+    const double time_s = moving_time_s(moving, predicting->done % PREDICT_CAMERAS, PREDICT_CAMERAS);
     moving_pose(moving, time_s);
     moving_pose_reference(moving, predicting->reference, time_s);
     return time_s;
@@ -57,6 +58,8 @@ static bool next_view(struct sampler *sampler, enum view_kind kind, struct viewp
         return sampler_near(sampler, out);
     case VIEW_PORTRAIT:
         return sampler_portrait(sampler, out);
+    case VIEW_GRAZING:
+        return sampler_grazing(sampler, out);
     default:
         return sampler_anywhere(sampler, out);
     }
@@ -72,7 +75,7 @@ static bool compare_view(struct predicting *predicting, enum view_kind kind, con
         const struct compare_counts counts =
             compare_wrong(candidate->ids.faces, predicting->reference, predicting->groups);
         comparison_add(&candidate->sums[kind], &counts);
-        if (candidate->wrong_of_face)
+        if (candidate->wrong_of_face && kind != VIEW_GRAZING)
             compare_count_faces(candidate->ids.faces, predicting->reference, predicting->groups,
                                 candidate->wrong_of_face);
     }
@@ -108,8 +111,10 @@ static struct predicted predicted_of(const struct candidate *candidate)
     struct predicted out = {.near_percent = compare_wrong_percent(&sums[VIEW_NEAR].total),
                             .near_cameras = sums[VIEW_NEAR].frames,
                             .portrait_percent = compare_wrong_percent(&sums[VIEW_PORTRAIT].total),
-                            .portrait_cameras = sums[VIEW_PORTRAIT].frames};
-    for (int kind = 0; kind < VIEW_KINDS; kind++) {
+                            .portrait_cameras = sums[VIEW_PORTRAIT].frames,
+                            .grazing_percent = compare_wrong_percent(&sums[VIEW_GRAZING].total),
+                            .grazing_cameras = sums[VIEW_GRAZING].frames};
+    for (int kind = 0; kind < VIEW_GRAZING; kind++) {
         all.pixels += sums[kind].total.pixels;
         all.wrong += sums[kind].total.wrong;
         out.cameras += sums[kind].frames;
@@ -167,7 +172,7 @@ static void find_worst_face(const uint32_t *wrong_of_face, size_t face_count, si
 static size_t wrong_in_all(const struct candidate *candidate)
 {
     size_t wrong = 0;
-    for (int kind = 0; kind < VIEW_KINDS; kind++)
+    for (int kind = 0; kind < VIEW_GRAZING; kind++)
         wrong += candidate->sums[kind].total.wrong;
     return wrong;
 }
@@ -178,7 +183,7 @@ bool predict_wrong(const struct compiled *scene, const struct core *core, struct
     struct predicting predicting = {.reference = reference, .groups = groups};
     uint32_t *wrong_of_face = grow_zeroed(face_count + 1, sizeof *wrong_of_face);
     const int near_count = scene->original ? PREDICT_CAMERAS / 2 : 0;
-    const int counts[VIEW_KINDS] = {PREDICT_CAMERAS - near_count, near_count, 0};
+    const int counts[VIEW_KINDS] = {PREDICT_CAMERAS - near_count, near_count, 0, scene->original ? PREDICT_GRAZING : 0};
     const struct deadline_end whole = deadline_share(SHARE);
     predicting.candidates[0].wrong_of_face = wrong_of_face;
     const bool ok = predict(&predicting, &scene, 1, counts, core, out, err);
@@ -203,6 +208,6 @@ bool predict_held_out_faces(const struct compiled *const *scenes, size_t count, 
     for (size_t i = 0; wrong_of_face && i < count; i++)
         predicting.candidates[i].wrong_of_face = wrong_of_face[i];
     const int near_count = scenes[0]->original ? PREDICT_CAMERAS / 2 : 0;
-    const int counts[VIEW_KINDS] = {PREDICT_CAMERAS - near_count, near_count, PREDICT_CAMERAS / 2};
+    const int counts[VIEW_KINDS] = {PREDICT_CAMERAS - near_count, near_count, PREDICT_CAMERAS / 2, 0};
     return predict(&predicting, scenes, count, counts, core, out, err);
 }

@@ -10,12 +10,13 @@
 #include "scene/compiled.h"
 
 /* Half of the cameras look anywhere, half at faces of all sizes, from as near as these are small. */
-enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48, PREDICT_SCENES_MAX = 4 };
+enum { PREDICT_SIDE_PX = 240, PREDICT_CAMERAS = 48, PREDICT_GRAZING = 48, PREDICT_SCENES_MAX = 4 };
 
 /* `reference` holds the source polygons for pictures of PREDICT_SIDE_PX; `groups` as in compare.h. A scene that does
  * not know its original has all cameras anywhere. What moves in it (scene->moving) is elsewhere in each frame, and half
- * of the latter cameras look at it. Where there is no free space for one kind of camera, there are fewer. face_count:
- * of the model's file.
+ * of the latter cameras look at it. Where there is no free space for one kind of camera, there are fewer.
+ * PREDICT_GRAZING more look along faces (cameras/grazing.h): out->grazing_percent is of these alone. face_count: of the
+ * model's file.
  */
 bool predict_wrong(const struct compiled *scene, const struct core *core, struct reference *reference,
                    const uint32_t *groups, size_t face_count, struct predicted *out, struct error *err);

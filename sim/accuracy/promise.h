@@ -13,7 +13,7 @@
 double promise_wrong_percent(const struct core *core);
 
 /* Says in a note of the report that a scene is predicted to have more wrong than its profile promises, which face errs
- * most, and what helps; nothing, if it has not. */
+ * most, and what helps; else that its views along faces are, if so; else nothing. */
 void promise_note(struct compiled *scene);
 
 #endif

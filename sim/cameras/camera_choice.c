@@ -13,7 +13,8 @@
 #include <string.h>
 
 enum { RANDOM_MAX = 10000 };
-static const char RANDOM[] = "random:", NEAR[] = "near:";
+static const char *const WORDS[CAMERA_KINDS] = {
+    [CAMERA_ANYWHERE] = "random:", [CAMERA_NEAR] = "near:", [CAMERA_GRAZING] = "grazing:"};
 
 static bool parse_part(const char *name, const char *from, size_t length, uint32_t least, uint32_t most, uint32_t *out,
                        struct error *err)
@@ -26,16 +27,17 @@ static bool parse_part(const char *name, const char *from, size_t length, uint32
 
 bool camera_choice_parse(const char *text, struct camera_choice *out, struct error *err)
 {
-    *out = (struct camera_choice){.text = text, .is_near = strncmp(text, NEAR, sizeof NEAR - 1) == 0};
-    if (!out->is_near && strncmp(text, RANDOM, sizeof RANDOM - 1) != 0) return true;
+    char seed_name[32], frames_name[40];
+    *out = (struct camera_choice){.text = text};
+    while (out->kind < CAMERA_KINDS && strncmp(text, WORDS[out->kind], strlen(WORDS[out->kind])) != 0)
+        out->kind++;
+    if (out->kind == CAMERA_KINDS) return true;
+    snprintf(seed_name, sizeof seed_name, "--camera %sSEED", WORDS[out->kind]);
+    snprintf(frames_name, sizeof frames_name, "%s:FRAMES", seed_name);
     const char *seed = strchr(text, ':') + 1, *colon = strchr(seed, ':');
     uint32_t count = CAMERA_CHOICE_RANDOM;
-    if (!parse_part(out->is_near ? "--camera near:SEED" : "--camera random:SEED", seed, strcspn(seed, ":"), 0,
-                    UINT32_MAX, &out->seed, err))
-        return false;
-    if (colon && !parse_part(out->is_near ? "--camera near:SEED:FRAMES" : "--camera random:SEED:FRAMES", colon + 1,
-                             strlen(colon + 1), 1, RANDOM_MAX, &count, err))
-        return false;
+    if (!parse_part(seed_name, seed, strcspn(seed, ":"), 0, UINT32_MAX, &out->seed, err)) return false;
+    if (colon && !parse_part(frames_name, colon + 1, strlen(colon + 1), 1, RANDOM_MAX, &count, err)) return false;
     out->random_count = count;
     return true;
 }
@@ -53,8 +55,10 @@ bool camera_choice_plan(const struct camera_choice *choice, const struct compile
                         size_t orbit_frames, struct camera_path *path, struct error *err)
 {
     if (path->count > 0) return true;
-    if (choice->random_count > 0 && choice->is_near)
+    if (choice->random_count > 0 && choice->kind == CAMERA_NEAR)
         return near_path(scene, lens, choice->text, choice->seed, choice->random_count, path, err);
+    if (choice->random_count > 0 && choice->kind == CAMERA_GRAZING)
+        return grazing_path(scene, lens, choice->text, choice->seed, choice->random_count, path, err);
     if (choice->random_count > 0)
         return random_path(scene, choice->text, choice->seed, choice->random_count, path, err);
     if (choice->level && orbit_frames) return level_path_cameras(choice->level, orbit_frames, path, err);

@@ -8,19 +8,26 @@
 
 enum { CAMERA_CHOICE_RANDOM = 64 }; /* frames, unless said */
 
-struct camera_choice {
-    const char *text;    /* as given; NULL: not given, so an orbit */
-    size_t random_count; /* 0: the text is a file's name */
-    bool is_near;        /* of the random ones: near the model's faces */
-    const char *level;   /* the model, if it is a map of a WAD: without text not an orbit, but its players and things */
-    bool takes_times;    /* a file's cameras may have times of their own; else they are refused */
-    uint32_t seed;       /* of the random ones */
-    bool z_is_up;        /* in a glTF file, as in its model: --up z */
-    double fov_deg;      /* what is shown, from top to bottom: a glTF file's cameras may have others */
+enum camera_random {
+    CAMERA_ANYWHERE,
+    CAMERA_NEAR,    /* the model's faces */
+    CAMERA_GRAZING, /* them */
+    CAMERA_KINDS
 };
 
-/* --camera FILE, random:SEED[:FRAMES] or near:SEED[:FRAMES]; a file of such a name is ./random:1. A FILE may be a map
- * of a WAD (levels/level_path.h): its players and things; or a glTF file: its cameras. */
+struct camera_choice {
+    const char *text;        /* as given; NULL: not given, so an orbit */
+    size_t random_count;     /* 0: the text is a file's name */
+    enum camera_random kind; /* of the random ones */
+    const char *level; /* the model, if it is a map of a WAD: without text not an orbit, but its players and things */
+    bool takes_times;  /* a file's cameras may have times of their own; else they are refused */
+    uint32_t seed;     /* of the random ones */
+    bool z_is_up;      /* in a glTF file, as in its model: --up z */
+    double fov_deg;    /* what is shown, from top to bottom: a glTF file's cameras may have others */
+};
+
+/* --camera FILE, random:SEED[:FRAMES], near: or grazing: the same; a file of such a name is ./random:1. A FILE may be a
+ * map of a WAD (levels/level_path.h): its players and things; or a glTF file: its cameras. */
 bool camera_choice_parse(const char *text, struct camera_choice *out, struct error *err);
 
 /* Reads the file, if it is one: before the scene is compiled, since that takes longer than to see a mistake. */

@@ -17,4 +17,8 @@ bool random_path(const struct compiled *scene, const char *name, uint32_t seed, 
 bool near_path(const struct compiled *scene, const struct lens *lens, const char *name, uint32_t seed, size_t count,
                struct camera_path *out, struct error *err);
 
+/* The same looking along faces (sampler_grazing()). */
+bool grazing_path(const struct compiled *scene, const struct lens *lens, const char *name, uint32_t seed, size_t count,
+                  struct camera_path *out, struct error *err);
+
 #endif

@@ -55,6 +55,11 @@ static double wide_of(const struct grid *grid, double longest_m)
     return grid->is_long ? fmin(4.0, 1.9 * LIM_LONG_EYE_END / (longest_m * grid->units_per_m)) : 4.0;
 }
 
+double sampler_reach_m(const struct sampler *sampler, double longest_m)
+{
+    return wide_of(&sampler->scene->grid, longest_m) * longest_m / 2.0;
+}
+
 /* Anywhere in the bounds, or in bounds as wide as that, if anything is to be seen from there. */
 static void random_point(struct sampler *sampler, double out_m[3])
 {

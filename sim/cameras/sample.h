@@ -26,6 +26,9 @@ void sampler_init(struct sampler *sampler, const struct compiled *scene);
 /* Whether an eye may be there: in free space, and not where it is left out. */
 bool sampler_may_be_at(const struct sampler *sampler, const double eye_m[3]);
 
+/* How far an eye may be from the middle of the bounds, along an axis; longest_m: their longest side. */
+double sampler_reach_m(const struct sampler *sampler, double longest_m);
+
 /* An eye in front of whatever polygons face it (in a closed building: inside of it; around an
  * object: outside, up to one and a half times its size away), looking at some vertex. */
 struct viewpoint sampler_next(struct sampler *sampler);

@@ -218,7 +218,8 @@ static const struct usage_entry ENTRIES[] = {
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | PAGE | FIRST,
      "  --camera FILE       a line a frame: ex ey ez tx ty tz, metres (an orbit of 16 frames); or\n"
      "                      random:SEED[:FRAMES], at random in the scene's free space (64 frames); or near:...,\n"
-     "                      the same near the model's faces, small ones as often as large ones; or FILE.wad:MAP,\n"
+     "                      the same near the model's faces, small ones as often as large ones; or grazing:...,\n"
+     "                      the same along large faces, such as floors and corridors; or FILE.wad:MAP,\n"
      "                      where a map's players and things stand (16 of them, of such a MODEL); or a .gltf or .glb\n"
      "                      file: its cameras\n"},
     {RENDER | VIEW | PLAY | REPORT_BUG | MEASURE | COMPARE | ONE | FIRST,

@@ -197,6 +197,9 @@ static void print_tree(const struct compiled *scene)
     if (!isnan(report->wrong.percent) && report->wrong.near_cameras)
         printf("  %-28s %8.4f %%, %zu of them\n", "  near faces, small ones too", report->wrong.near_percent,
                report->wrong.near_cameras);
+    if (!isnan(report->wrong.percent) && report->wrong.grazing_cameras)
+        printf("  %-28s %8.4f %%, %zu cameras along faces\n", "wrong pixels, grazing views",
+               report->wrong.grazing_percent, report->wrong.grazing_cameras);
 }
 
 static void print_notes(const struct compile_report *report)

@@ -146,7 +146,7 @@ static void print_text(const char *text, FILE *out)
 
 static void csv_head(const struct compare_table *table, FILE *out)
 {
-    fputs("scene,w_px,h_px,precision,method,exact,frames,wrong_percent,worst_percent,worst_frame,beyond_ppm,"
+    fputs("scene,w_px,h_px,precision,method,exact,frames,wrong_percent,worst_frame_percent,worst_frame,beyond_ppm,"
           "order_errors,holes,splits,splits_a_frame,forced,nodes,polygons,scene_b,lines_b,cost_frames",
           out);
     for (size_t cpu = 0; cpu < table->cpu_count; cpu++) {

@@ -86,8 +86,10 @@ struct predicted {
     double near_percent;                            /* of those near faces of all sizes */
     double portrait_percent;                        /* of those that have all in view, where there are any */
     size_t cameras, near_cameras, portrait_cameras; /* how many of each */
-    uint32_t worst_face;                            /* of the file, the one in most wrong pixels; 0: not known */
-    double worst_face_percent;                      /* of the wrong pixels that show it, or should */
+    double grazing_percent;                         /* of cameras that look along faces, which no other figure has */
+    size_t grazing_cameras;
+    uint32_t worst_face;       /* of the file, the one in most wrong pixels; 0: not known */
+    double worst_face_percent; /* of the wrong pixels that show it, or should */
 };
 
 /* The view that costs most of those that were searched, with pools that do not run out: not proved to be the worst. */

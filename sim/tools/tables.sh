@@ -37,6 +37,7 @@ compare slow compare compare /limner
 methods slow tables-methods methods /limner /generate_bench arm-none-eabi-gcc qemu-system-arm
 scale slow scale scale /limner /generate_scale arm-none-eabi-gcc qemu-system-arm gnuplot
 predictions slow predictions predictions /limner /generate_scale /scenes/demo.obj
+along slow predictions along /limner
 levels slow tables-levels levels /limner arm-none-eabi-gcc qemu-system-arm
 level-walks slow tables-level-walks level_walks /limner arm-none-eabi-gcc qemu-system-arm
 doom slow tables-doom doom /limner apt-get valgrind

@@ -29,7 +29,7 @@ if [ -d $folder ]; then
     # Blender's cube, whose vertices are white in bytes that the library reads as -1.
     is_light() {
         "$BUILD/limner" render "$folder/$1" --size 48x48 --frames 1 --unlit -o "$work/light.png" 2>"$work/said" &&
-            python3 -c 'import sys; from PIL import Image; sys.exit(min(Image.open(sys.argv[1]).convert("RGB").getpixel((24, 30))) < 150)' "$work/light.png"
+            /usr/bin/python3 -c 'import sys; from PIL import Image; sys.exit(min(Image.open(sys.argv[1]).convert("RGB").getpixel((24, 30))) < 150)' "$work/light.png"
     }
     tap_check "colours of an old file of Blender are bytes" is_light BLEND/BlenderDefault_250_Compressed.blend
     what_is_dark() { hash_of off $folder/OFF/Wuson.off && grep -q 'it is lit from inside: --reverse-faces' "$work/off.said"; }
