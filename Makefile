@@ -541,7 +541,8 @@ compare: ## [measure] measure every visibility method; everything into out/compa
 
 tables: $(if $(filter foreign,$(TABLES)),tests/foreign.sh) $(if $(filter methods,$(TABLES)),$(BUILD)/generate_bench)
 tables footprint tradeoff scale predictions compare: $(BUILD)/limner $(BUILD)/generate_scale $(demo) packages
-	$(LIVE)sh sim/tools/tables.sh --write $(if $(filter tables,$@),$(TABLES),$@) $(if $(filter predictions,$@),along)
+	$(LIVE)sh sim/tools/tables.sh --write $(if $(filter tables,$@),$(TABLES),$@)
+	$(if $(filter predictions,$@),$(LIVE)sh sim/tools/tables.sh --write along)
 
 first-hour: ## [measure] do what README tells a newcomer on a bare Debian, as root, and write its megabytes and minutes; HOURS=no: megabytes alone
 	$(LIVE)sh sim/tools/first_hour.sh
