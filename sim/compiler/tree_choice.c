@@ -85,8 +85,7 @@ static void try_others(struct compilation *work, struct compiled *out)
 static void choose_tree(struct compilation *work, struct compiled *out)
 {
     const struct compile_options *options = work->options;
-    const bool is_open =
-        options->trial != TRIAL_NEVER && options->tree == TREE_AUTO && options->portals != PORTALS_ON;
+    const bool is_open = options->trial != TRIAL_NEVER && options->tree == TREE_AUTO && options->portals != PORTALS_ON;
     if (!is_open || (out->report.draws != LIM_NEAREST_FIRST && out->report.draws != LIM_SCANLINE)) return;
     const struct compile_report *bsp = &out->report;
     const bool unasked = options->trial == TRIAL_IF_SPLIT, splits_much = compilation_splits_much(bsp);
