@@ -456,7 +456,8 @@ endif
 
 # The longest first, so that none of them is left alone at the end.
 longest  := tests/sanitize.sh tests/arm/arm_footprint.sh tests/boards/boards_frames.sh tests/models.sh tests/sanitize_scenes.sh \
-	tests/cross.sh tests/compilers.sh tests/prove.sh tests/cli/cli_extremes.sh
+	tests/cross.sh tests/compilers.sh tests/users_warnings.sh tests/prove.sh tests/boards/boards_build.sh \
+	$(addprefix tests/cli/cli_,coordinates features extremes)
 asked    := $(sort $(foreach suite,$(suites),$(suite-$(suite))))
 ifneq ($(filter all,$(SUITES))$(filter file,$(origin SUITES)),)
 asked    := $(filter-out $(suite-slow),$(asked))
