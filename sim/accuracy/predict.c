@@ -19,6 +19,7 @@
 static const double SHARE = 0.5; /* of the time that is left */
 enum { HELD_OUT_SEED = 77 };
 
+/* Grazing views come last: their figure is their own, that of all cameras is of the kinds before them. */
 enum view_kind { VIEW_ANYWHERE, VIEW_NEAR, VIEW_PORTRAIT, VIEW_GRAZING, VIEW_KINDS };
 
 /* A scene, and what it shows wrong. */

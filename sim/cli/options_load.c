@@ -34,12 +34,8 @@ bool options_scene_is_compiled(const struct options *options)
     return lim_file_is_named(options->scene_path);
 }
 
-/* `path`: the cameras of a file, which the scene must suit; empty: they are found when it is known. */
-static bool load_scene(const struct options *options, const struct camera_path *path, struct compiled *scene,
-                       struct moving *moving, struct error *err)
+static bool load_scene(const struct options *options, struct compiled *scene, struct moving *moving, struct error *err)
 {
-    struct compile_options compile = options->compile;
-    compile.eyes = *path;
     if (options_scene_is_compiled(options)) {
         const bool any_does = method_needs_no_tree(options->setup.method) || options->compile.portals == PORTALS_ON;
         if (options->compile.tree != TREE_AUTO && !any_does)
@@ -50,8 +46,8 @@ static bool load_scene(const struct options *options, const struct camera_path *
                (options->compile.portals != PORTALS_ON || scene->scene.place_count ||
                 error_set(err, "%s: --method portals needs a scene compiled with --portals on", options->scene_path));
     }
-    if (!moving) return compile_model(options->scene_path, &compile, scene, err);
-    if (!moving_compile(options->scene_path, &compile, &options->movers, scene, moving, err)) return false;
+    if (!moving) return compile_model(options->scene_path, &options->compile, scene, err);
+    if (!moving_compile(options->scene_path, &options->compile, &options->movers, scene, moving, err)) return false;
     model_tell(options->scene_path, &moving->model);
     return true;
 }
@@ -113,8 +109,7 @@ bool options_load(struct options *options, struct compiled *scene, struct moving
                   struct camera_path *path, struct error *err)
 {
     if (!compile_options_cameras(&options->compile, &options->cameras, path, err)) return false;
-    if ((path->count && !take_frames(options, path, err)) || !load_scene(options, path, scene, moving, err))
-        return false;
+    if ((path->count && !take_frames(options, path, err)) || !load_scene(options, scene, moving, err)) return false;
     if (!options_scene_is_compiled(options)) options->setup.method = scene->report.draws;
     note_idle(options, moving);
     if (!lens_for_grid(lens, options->compile.fov_deg, options->compile.near_m, &scene->grid, options->setup.w_px,

@@ -177,7 +177,7 @@ static bool compile_with(struct compilation *work, enum tree_kind kind, const st
 static size_t count_unordered(const struct compilation *work)
 {
     struct layers layers;
-    if (!work->options->method) return 0;
+    if (!work->options->method || !work->options->choose_order) return 0; /* or it is a trial */
     layers_find(work->mesh, tolerance_units(work), &layers);
     const size_t count = layers_polygons(&layers, work->mesh->polygon_count);
     layers_free(&layers);

@@ -56,7 +56,7 @@ bool portals_parse(const char *text, enum portals_wanted *out, struct error *err
 
 static const double USUAL_DEG = 60; /* of a picture whose size nobody has said */
 
-bool compile_options_cameras(const struct compile_options *options, const struct camera_choice *choice,
+bool compile_options_cameras(struct compile_options *options, const struct camera_choice *choice,
                              struct camera_path *out, struct error *err)
 {
     struct camera_choice here = *choice;
@@ -64,7 +64,9 @@ bool compile_options_cameras(const struct compile_options *options, const struct
     here.fov_deg = options->fov_deg;
     if (!(here.fov_deg > 0))
         here.fov_deg = options->h_px ? lens_usual_fov_deg(options->w_px, options->h_px) : USUAL_DEG;
-    return camera_choice_read(&here, out, err);
+    if (!camera_choice_read(&here, out, err)) return false;
+    camera_path_free(&options->eyes);
+    return !out->count || camera_path_few(out, out->count, &options->eyes, err);
 }
 
 /* What was read before is freed. */

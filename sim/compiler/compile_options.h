@@ -110,8 +110,8 @@ bool compile_options_may_leaf(const struct compile_options *options);
  * be long (firmware/long.h), and has 16 bits. Refuses it where 32 were asked for. */
 bool compile_options_coordinates(const struct compile_options *options, enum coordinates *out, struct error *err);
 
-/* camera_choice_read(), of cameras for a model that is taken so. */
-bool compile_options_cameras(const struct compile_options *options, const struct camera_choice *choice,
+/* camera_choice_read(), of cameras for a model that is taken so. Those of a file become the options' eyes. */
+bool compile_options_cameras(struct compile_options *options, const struct camera_choice *choice,
                              struct camera_path *out, struct error *err);
 
 /* Whether a scene may have 32 where it needs them. */

@@ -50,6 +50,7 @@ static bool clean_long(const struct model *model, const struct compile_options *
     struct grid_views far = near;
     struct grid grid;
     struct error ignored;
+    if (!eyes_of(options)->count) return clean_for(model, &near, mesh, err);
     if (!grid_choose_long(model, &near, &grid, err)) return false;
     far.far_m = farthest_eye_m(options, &grid);
     const bool ok = clean_for(model, &far, mesh, &ignored);

@@ -231,6 +231,7 @@ static bool check_header(struct ply *ply)
             return error_set(ply->build->err, "%s: its vertices have no x, y and z", ply->build->path);
         vertices_have_colours |= element->kind == PLY_VERTEX && has_colours(element->roles);
         ply->faces_have_colours |= element->kind == PLY_FACE && has_colours(element->roles);
+        if (element->kind == PLY_OTHER && strcmp(element->name, "edge") == 0) ply->build->lines += element->count;
         if (element->kind == PLY_OTHER && element->count && strstr(element->name, "texture"))
             model_note(ply->build->model, "%lu elements '%s' are not read: it has pictures in a way of its own",
                        element->count, element->name);

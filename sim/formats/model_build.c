@@ -107,6 +107,7 @@ bool build_face(struct model_build *build, const struct build_look *look)
     struct model *model = build->model;
     const size_t first = build->first_corner, count = model->corner_count - first;
     if (count < 3) model->corner_count = first;
+    build->lines += count == 1 || count == 2;
     build->first_corner = model->corner_count;
     if (count < 3) return true;
     if (model->face_count == MOST_FACES)
@@ -228,6 +229,7 @@ static bool finish(struct model_build *build)
 {
     struct model *model = build->model;
     if (!model->face_count) return error_set(build->err, "%s: " WORDS_NO_FACES, build->path);
+    if (build->lines) model_note(model, "%zu " WORDS_LINES, build->lines);
     take_colours(build);
     cut_holes(build);
     if (model->picture_count) {

@@ -24,6 +24,7 @@ struct model_build {
     double step_m;                     /* between float32 numbers that vertices came as, the largest */
     size_t point_capacity, uv_capacity, corner_capacity, face_capacity, colour_capacity, picture_capacity;
     size_t first_corner; /* of the face that is being read */
+    size_t lines;        /* and points, which are not drawn */
     double (*uvs)[2];    /* of each point; NaN: none */
 };
 
@@ -46,7 +47,7 @@ void build_vertex_uv(struct model_build *build, const double uv[2]);
 /* A corner of the face being read, by its vertex's index. NULL: what the vertex has. */
 bool build_corner(struct model_build *build, double index, const double uv[2]);
 
-/* Ends a face; with fewer than three corners it is none. */
+/* Ends a face; with fewer than three corners it is none, but a line or a point. */
 bool build_face(struct model_build *build, const struct build_look *look);
 
 /* Pictures, as faces number them: of a file beside the model, or of bytes in it. */

@@ -74,10 +74,7 @@ static bool compile_rows(struct trial *trial, const struct compile_options *opti
 static bool prepare(struct trial *trial, const char *model_path, struct compile_options *options,
                     const struct choice_bound *bound, struct choice *choice, struct error *err)
 {
-    struct camera_path *path = &trial->path;
-    if (!compile_options_cameras(options, &bound->cameras, path, err)) return false;
-    camera_path_free(&options->eyes);
-    if (path->count && !camera_path_few(path, path->count, &options->eyes, err)) return false;
+    if (!compile_options_cameras(options, &bound->cameras, &trial->path, err)) return false;
     if (!measure_source_read(&trial->source, model_path, options, options->w_px, options->h_px, err)) return false;
     if (!compile_rows(trial, options, choice, err)) return false;
     const struct compiled *scene = trial->candidates[0].scene;

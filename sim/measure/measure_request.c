@@ -343,9 +343,7 @@ bool measure_request_order(int argc, char **argv, int *words_from, struct error 
 bool measure_request_load(struct measure_request *request, struct measure_source *source, struct lens *lens,
                           struct camera_path *path, struct error *err)
 {
-    struct compile_options *compile = &request->compile;
-    if (!compile_options_cameras(compile, &request->cameras, path, err)) return false;
-    if (path->count && !camera_path_few(path, path->count, &compile->eyes, err)) return false;
+    if (!compile_options_cameras(&request->compile, &request->cameras, path, err)) return false;
     if (!measure_source_read(source, request->model, &request->compile, request->w_px, request->h_px, err))
         return false;
     return lens_for_grid(lens, request->compile.fov_deg, request->compile.near_m, &source->mesh.grid, request->w_px,

@@ -76,9 +76,11 @@ def _boxes(random, where):
         triangles = [rays.Triangle(t.points, (200, 200, 200)) for t in triangles]
     ply.elements = [['vertex', vertex + (colours if where == 'vertices' else []), vertex_rows],
                     ['face', face + (colours if where == 'faces' else []), face_rows]]
-    if random.random() < 0.3:
+    has_edge = random.random() < 0.3
+    if has_edge:
         ply.elements.append(['edge', [('vertex1', 'int'), ('vertex2', 'int')], [[0, 1]]])
-    return Input('colours of %s, %s, %s' % (where, coding, colours[0][1]), {'it.ply': ply.bytes()}, triangles)
+    return Input('colours of %s, %s, %s' % (where, coding, colours[0][1]), {'it.ply': ply.bytes()}, triangles,
+                 says=': 1 lines and points are not drawn' if has_edge else None)
 
 
 def _strip(random):
