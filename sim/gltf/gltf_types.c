@@ -118,31 +118,11 @@ static const struct row {
     {"materials.[].doubleSided", BOOLEAN},
     {"materials.[].pbrMetallicRoughness", OBJECT},
     {"materials.[].pbrMetallicRoughness.baseColorFactor", NUMBERS_4},
-    {"materials.[].pbrMetallicRoughness.baseColorTexture", OBJECT},
-    {"materials.[].pbrMetallicRoughness.baseColorTexture.index", WHOLE},
-    {"materials.[].pbrMetallicRoughness.baseColorTexture.texCoord", WHOLE},
-    {"materials.[].pbrMetallicRoughness.baseColorTexture.extensions", OBJECT},
-    {"materials.[].pbrMetallicRoughness.baseColorTexture.extensions.*", OBJECT},
-    {"materials.[].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.offset", NUMBERS_2},
-    {"materials.[].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.scale", NUMBERS_2},
-    {"materials.[].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.rotation", NUMBER},
-    {"materials.[].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.texCoord", WHOLE},
     {"materials.[].emissiveFactor", NUMBERS_3},
-    {"materials.[].emissiveTexture", OBJECT},
-    {"materials.[].emissiveTexture.index", WHOLE},
-    {"materials.[].emissiveTexture.texCoord", WHOLE},
-    {"materials.[].emissiveTexture.extensions", OBJECT},
-    {"materials.[].emissiveTexture.extensions.*", OBJECT},
-    {"materials.[].emissiveTexture.extensions.KHR_texture_transform.offset", NUMBERS_2},
-    {"materials.[].emissiveTexture.extensions.KHR_texture_transform.scale", NUMBERS_2},
-    {"materials.[].emissiveTexture.extensions.KHR_texture_transform.rotation", NUMBER},
-    {"materials.[].emissiveTexture.extensions.KHR_texture_transform.texCoord", WHOLE},
     {"materials.[].extensions", OBJECT},
     {"materials.[].extensions.*", OBJECT},
     {"materials.[].extensions.KHR_materials_emissive_strength.emissiveStrength", NUMBER},
     {"materials.[].extensions.KHR_materials_pbrSpecularGlossiness.diffuseFactor", NUMBERS_4},
-    {"materials.[].extensions.KHR_materials_pbrSpecularGlossiness.diffuseTexture", OBJECT},
-    {"materials.[].extensions.KHR_materials_pbrSpecularGlossiness.diffuseTexture.index", WHOLE},
     {"animations", ARRAY},
     {"animations.[]", OBJECT},
     {"animations.[].name", STRING},
@@ -166,6 +146,22 @@ static const struct row {
     {"cameras.[].perspective.aspectRatio", NUMBER},
     {"cameras.[].perspective.znear", NUMBER},
     {"cameras.[].perspective.zfar", NUMBER},
+};
+
+/* What is seen by one of these has the rows behind it. */
+static const char *const TEXTURES[] = {"materials.[].pbrMetallicRoughness.baseColorTexture",
+                                       "materials.[].emissiveTexture",
+                                       "materials.[].extensions.KHR_materials_pbrSpecularGlossiness.diffuseTexture"};
+static const struct row TEXTURE_ROWS[] = {
+    {"", OBJECT},
+    {".index", WHOLE},
+    {".texCoord", WHOLE},
+    {".extensions", OBJECT},
+    {".extensions.*", OBJECT},
+    {".extensions.KHR_texture_transform.offset", NUMBERS_2},
+    {".extensions.KHR_texture_transform.scale", NUMBERS_2},
+    {".extensions.KHR_texture_transform.rotation", NUMBER},
+    {".extensions.KHR_texture_transform.texCoord", WHOLE},
 };
 
 static bool are_numbers(const json_t *value, size_t count)
@@ -298,12 +294,29 @@ static bool check(json_t *holder, const char *path, enum type type, struct place
     return check_members(holder, path, name_b, rest, type, &place, wrong);
 }
 
-bool gltf_types_check(const char *path, struct gltf_file *file, struct error *err)
+static bool check_row(const char *path, struct gltf_file *file, const struct row *row, struct error *err)
 {
     struct place wrong;
+    return check(file->root, row->path, row->type, (struct place){{0}, 0}, &wrong) ||
+           error_set(err, "%s: %s is %s", path, wrong.words, WORDS[row->type]);
+}
+
+static bool check_texture(const char *path, struct gltf_file *file, const char *texture, struct error *err)
+{
+    char whole[160];
+    for (size_t i = 0; i < sizeof TEXTURE_ROWS / sizeof *TEXTURE_ROWS; i++) {
+        snprintf(whole, sizeof whole, "%s%s", texture, TEXTURE_ROWS[i].path);
+        if (!check_row(path, file, &(struct row){whole, TEXTURE_ROWS[i].type}, err)) return false;
+    }
+    return true;
+}
+
+bool gltf_types_check(const char *path, struct gltf_file *file, struct error *err)
+{
     if (!json_is_object(file->root)) return error_set(err, "%s: its JSON is no object", path);
     for (size_t i = 0; i < sizeof ROWS / sizeof *ROWS; i++)
-        if (!check(file->root, ROWS[i].path, ROWS[i].type, (struct place){{0}, 0}, &wrong))
-            return error_set(err, "%s: %s is %s", path, wrong.words, WORDS[ROWS[i].type]);
+        if (!check_row(path, file, &ROWS[i], err)) return false;
+    for (size_t i = 0; i < sizeof TEXTURES / sizeof *TEXTURES; i++)
+        if (!check_texture(path, file, TEXTURES[i], err)) return false;
     return true;
 }
