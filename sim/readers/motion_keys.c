@@ -215,9 +215,8 @@ static struct model_pose pose_between(const struct model_key *a, const struct mo
 
 /* Between probes the error may be larger than at any of them; a part of the tolerance is held back for that. */
 static bool is_near_enough(const struct sampling *work, const struct model_key *a, const struct model_key *b,
-                           double within_s, bool *near)
+                           double within_s, size_t probes, bool *near)
 {
-    const size_t probes = PROBES_A_LINK * work->link_count;
     *near = true;
     for (size_t i = 1; i < probes && *near; i++) {
         const double t = (double)i / (double)probes;
@@ -229,16 +228,20 @@ static bool is_near_enough(const struct sampling *work, const struct model_key *
     return true;
 }
 
-/* Adds what a stretch of smooth motion needs between its ends, at whole milliseconds. */
-static bool add_between(struct sampling *work, const struct model_key *a, const struct model_key *b, double within_s)
+/* Adds what a stretch of smooth motion needs between its ends, at whole milliseconds. Each half of it has half of the
+ * probes: they lie no wider apart than in the whole. */
+static bool add_between(struct sampling *work, const struct model_key *a, const struct model_key *b, double within_s,
+                        size_t probes)
 {
+    const size_t halved = probes / 2 < PROBES_A_LINK ? PROBES_A_LINK : probes / 2;
     bool near;
     struct model_key middle = {.time_s = (double)tick_of((a->time_s + b->time_s) / 2) * TICK_S};
     if (tick_of(middle.time_s) <= tick_of(a->time_s) || tick_of(middle.time_s) >= tick_of(b->time_s)) return true;
-    if (!is_near_enough(work, a, b, within_s, &near)) return false;
+    if (!is_near_enough(work, a, b, within_s, probes, &near)) return false;
     if (near) return true;
-    return pose_within(work, middle.time_s, within_s, &middle.pose) && add_between(work, a, &middle, within_s) &&
-           add_key(work, middle.time_s, &middle.pose) && add_between(work, &middle, b, within_s);
+    return pose_within(work, middle.time_s, within_s, &middle.pose) &&
+           add_between(work, a, &middle, within_s, halved) && add_key(work, middle.time_s, &middle.pose) &&
+           add_between(work, &middle, b, within_s, halved);
 }
 
 /* Keys of the file that lie less than a millisecond from the first of them. */
@@ -324,7 +327,7 @@ static bool add_stretch(struct sampling *work, double left_s, bool is_key, doubl
     if (!pose_within(work, left_s, within_s, &to.pose)) return false;
     if (last) {
         const struct model_key from = *last;
-        if (!add_between(work, &from, &to, within_s)) return false;
+        if (!add_between(work, &from, &to, within_s, PROBES_A_LINK * work->link_count)) return false;
     }
     return !is_key || add_key(work, left_s, &to.pose);
 }

@@ -158,6 +158,11 @@ def inputs(random):
                             tracks=[_track(random, 'rotation', how)] + ([_track(random, 'translation', how, 0.5)] if level == 1 else []),
                             parts=_parts(random) if level != 1 else [], children=[node] if node else [])
             yield _input('nested %d deep, %s' % (depth, how), [node], random)
+    node = None
+    for level in range(48):  # read within the importer's bound of time only if a key costs little; no two boxes meet
+        turns = Track('rotation', [0.0, 0.3, END_S], [things.turn((0, 0, 1), a) for a in random.uniform(-1, 1, 3)])
+        node = Node((0.1, 0, 1.5), tracks=[turns], parts=_parts(random), children=[node] if node else [])
+    yield _input('nested 48 deep', [node], random)
     for scale in ((2, 2, 2), (0.5, 1, 2), (-1, 1, 1), (1, -0.5, 1)):
         node = Node(scale=scale, tracks=[_track(random, 'rotation', 'LINEAR')], parts=_parts(random))
         yield _input('scale of %s' % (scale,), [node], random)
