@@ -6,7 +6,8 @@
 # it ends and every half minute what is running, then every failure with its diagnostics and every skip with its
 # reason, then one closing line: N passed, N failed[, N skipped]. Succeeds if nothing failed and
 # something passed. TEST_TIMEOUT_S bounds each program, TEST_JOBS the number at once; TEST_TIMES is the file of times,
-# lines NAME SECONDS, TEST_TELL_S how often is told what is running.
+# lines NAME SECONDS, TEST_TELL_S how often is told what is running. Long tests do half of their work (rigs/effort.h), or
+# TEST_EFFORT per cent of it; all of it with SEED=all.
 set -u
 
 tallies() { find "$1" -name '*.tally' | wc -l; } # FOLDER
@@ -60,7 +61,8 @@ tell() { # FOLDER PROGRAM...
 : "${TEST_TIMEOUT_S:=1800}" "${TEST_JOBS:=$(nproc)}" "${TEST_TELL_S:=30}"
 [ ! -d "${BUILD:-}" ] || : "${TEST_TIMES:=$BUILD/test_times}"
 : "${TEST_TIMES:=/dev/null}"
-export TEST_TIMEOUT_S TEST_JOBS
+[ "${SEED:-}" = all ] || : "${TEST_EFFORT:=50}"
+export TEST_TIMEOUT_S TEST_JOBS ${TEST_EFFORT:+TEST_EFFORT}
 
 if [ "${1:-}" = --one ]; then
     run_one "$2" "$3" "$4"

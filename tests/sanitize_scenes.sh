@@ -120,7 +120,7 @@ for scene in sim/scenes/*.obj sim/scenes/*.gltf sim/scenes/*.glb sim/scenes/*.pl
     echo "$(runs_of "$scene") $turn $scene"
     turn=$((turn + $(runs_of "$scene")))
 done >"$work/scenes"
-halved "$(cat "$work/scenes")" >"$work/half"
+part_of 2 "$(cat "$work/scenes")" >"$work/half"
 while read -r runs turn scene; do
     tap_check "$(basename "$scene"), $runs ways" draw_scene "$scene" "$turn" "$runs"
     [ "$runs" -lt 13 ] || tap_check "$(basename "$scene") becomes C" becomes_c "$scene"

@@ -16,7 +16,9 @@ export LIMNER_PROGRESS=0
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 
 tap_count=0
-work=$(mktemp -d)
+# Of the same name in each run, unless another run has it: a compiler's cache knows headers by their place.
+work=${TMPDIR:-/tmp}/limner-test-$(basename "$0" .sh)
+mkdir -m 700 "$work" 2>/dev/null || work=$(mktemp -d)
 # What was decided once is not decided again: a decision counts for the build that made it alone.
 LIMNER_CACHE=$(cd "$BUILD" && pwd)/decisions
 export LIMNER_CACHE

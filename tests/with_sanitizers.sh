@@ -5,7 +5,7 @@
 # shellcheck shell=sh
 
 build=$BUILD/sanitize
-. tests/halved.sh
+. tests/part_of.sh
 export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
 
 # Lines and functions are enough for a report, at two thirds of the size. No object has the folder's name in it, so that

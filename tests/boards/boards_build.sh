@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
 # Every board's image builds, for its own scene and panel and for others; what a board cannot hold is refused with the
-# reason; a board is one folder.
+# reason; a board is one folder. Of the images that are not a board's own, half in each run (tests/part_of.sh).
 . tests/tap.sh
+. tests/part_of.sh
 
 built=$(cd "$BUILD" && pwd) # seen from a copy of the project as well
 
@@ -68,13 +69,21 @@ for folder in boards/*/board.mk; do
 done
 touch "$work/began"
 tap_check "a program says what it cannot draw on" says_what_is_wrong
-tap_check "another panel does" builds BOARD=bluepill PANEL=ssd1306 SCENE=icosahedron
-tap_check "a scene that moves does" builds BOARD=stm32f405 PANEL=ili9341 SCENE=movers PRECISION=fine
-tap_check "one without a path of its own does" builds BOARD=bluepill SCENE=icosahedron PANEL=st7735:rgb444
-tap_check "a turned picture does" builds BOARD=bluepill PANEL=ssd1306 MODULE='--rotate 90' SCENE=icosahedron
-tap_check "its cameras see what the viewer does" turned_cameras 64 128
-tap_check "what changes alone does" builds BOARD=stm32f405 COMPILE=--delta
-tap_check "with less RAM than the scene asks for it draws in bands" builds_in_less BOARD=bluepill RAM_B=7168
+turned_builds() {
+    builds BOARD=bluepill PANEL=ssd1306 MODULE='--rotate 90' SCENE=icosahedron && turned_cameras 64 128
+}
+
+echo "# SEED=$SEED"
+for image in $(part_of 2 panel moving pathless turned changes bands); do
+    case $image in
+    panel) tap_check "another panel does" builds BOARD=bluepill PANEL=ssd1306 SCENE=icosahedron ;;
+    moving) tap_check "a scene that moves does" builds BOARD=stm32f405 PANEL=ili9341 SCENE=movers PRECISION=fine ;;
+    pathless) tap_check "one without a path of its own does" builds BOARD=bluepill SCENE=icosahedron PANEL=st7735:rgb444 ;;
+    turned) tap_check "a turned picture does, and its cameras see what the viewer does" turned_builds ;;
+    changes) tap_check "what changes alone does" builds BOARD=stm32f405 COMPILE=--delta ;;
+    bands) tap_check "with less RAM than the scene asks for it draws in bands" builds_in_less BOARD=bluepill RAM_B=7168 ;;
+    esac
+done
 sleep 0.01
 touch "$work/began"
 tap_check "too little RAM is refused" refused 'RAM is short by [0-9]* of 3000 bytes' BOARD=bluepill RAM_B=3000

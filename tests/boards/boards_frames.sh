@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
 # What the images of boards draw in emulators that others wrote: eight frames of a path, whole, each pixel as the
-# simulator draws it. The images are those of boards/images.txt, half of them in each run (tests/halved.sh), of which the table in boards/README.md must say what is measured
+# simulator draws it. The images are those of boards/images.txt, half of them in each run (tests/part_of.sh), of which the table in boards/README.md must say what is measured
 # here.
 . tests/tap.sh
-. tests/halved.sh
+. tests/part_of.sh
 
 board() { # MAKE-ARGUMENT...
     make DEPS=skip BUILD="$BUILD" BOARDS="$kept/boards" PICTURES="$work/pictures" "$@" >"$work/said" 2>&1 || {
@@ -61,7 +61,7 @@ draws_in_mode() { # MODE SYSTEM MACHINE CONTROL DATA BOARD PANEL
 }
 
 sh sim/tools/tables.sh --show boards >"$work/page"
-halved "$(cat boards/images.txt)" >"$work/rows"
+part_of 2 "$(cat boards/images.txt)" >"$work/rows"
 echo "# SEED=$SEED"
 while read -r row; do
     # shellcheck disable=SC2086 # arguments are words

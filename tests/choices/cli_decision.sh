@@ -4,7 +4,7 @@
 # options, frame by frame and count by count, whatever was decided: trees of all kinds, scan lines, meshes, mesh leaves,
 # portals, 32 bits, profiles, panels. Decisions are remembered, and nothing hangs on that.
 . tests/tap.sh
-. tests/halved.sh
+. tests/part_of.sh
 unset LIMNER_CACHE
 export XDG_CACHE_HOME=/nonexistent # each command decides for itself
 
@@ -67,8 +67,8 @@ draw() { # NAME SCENE OPTION...
     "$limner" render "$@" --frames 4 --camera random:5 --stats --write-hashes "$name.hashes" >"$name.stats" 2>err || { cat err; return 1; }
 }
 
-# Half of the ways in each run (tests/halved.sh).
-chosen=" $(halved $(seq 40) | tr '\n' ' ')" number=0
+# A quarter of the ways in each run (tests/part_of.sh).
+chosen=" $(part_of 4 $(seq 40) | tr '\n' ' ')" number=0
 way() { # NAME COMMAND...
     number=$((number + 1))
     case $chosen in *" $number "*) tap_check "$@" ;; esac

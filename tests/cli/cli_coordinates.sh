@@ -3,7 +3,7 @@
 # --coordinates: what 16 bits refuse, 32 hold; what 16 bits hold stays as it is; what cannot have 32 is refused in one line;
 # and all commands that take a scene take a long one.
 . tests/tap.sh
-. tests/halved.sh
+. tests/part_of.sh
 . tests/refused.sh
 . tests/long_scene.sh
 
@@ -246,7 +246,7 @@ is_the_same_with() { # MODEL METHOD OPTION...
     hashes "$work/nearest" "$with_model" --method bsp "$@" && hashes "$work/other" "$with_model" --method "$with_method" "$@" &&
         diff "$work/nearest" "$work/other"
 }
-for precision in $(halved draft fast fine exact); do # the others: tests/halved.sh
+for precision in $(part_of 2 draft fast fine exact); do # the others: tests/part_of.sh
     tap_check "$precision: scan lines paint nearest first's picture" is_the_same_with "$many" scanline --precision $precision
     tap_check "$precision: and so does the painter" is_the_same_with "$many" painter --precision $precision
     tap_check "$precision: scan lines paint nearest first's texels" is_the_same_with "$work/textured.obj" scanline --precision $precision
