@@ -15,16 +15,20 @@ cd "$work" || exit 1
 
 # Models --------------------------------------------------------------------------------------------------
 
-# A ball of quads with bumps, which a mesh by distance draws.
-awk -v n=16 'BEGIN {
-    pi = atan2(0, -1)
-    for (i = 0; i <= n; i++) for (j = 0; j < n; j++) {
-        a = pi * i / n; b = 2 * pi * j / n; r = 1 + 0.1 * sin(5 * a) * cos(4 * b)
-        printf "v %.6f %.6f %.6f\n", r * sin(a) * cos(b), r * cos(a), r * sin(a) * sin(b)
-    }
-    for (i = 0; i < n; i++) for (j = 0; j < n; j++)
-        printf "f %d %d %d %d\n", i * n + j + 1, i * n + (j + 1) % n + 1, (i + 1) * n + (j + 1) % n + 1, (i + 1) * n + j + 1
-}' >ball.obj
+# A ball of N rings of quads with bumps: of 16, a mesh by distance draws it.
+ball() { # N
+    awk -v n="$1" 'BEGIN {
+        pi = atan2(0, -1)
+        for (i = 0; i <= n; i++) for (j = 0; j < n; j++) {
+            a = pi * i / n; b = 2 * pi * j / n; r = 1 + 0.1 * sin(5 * a) * cos(4 * b)
+            printf "v %.6f %.6f %.6f\n", r * sin(a) * cos(b), r * cos(a), r * sin(a) * sin(b)
+        }
+        for (i = 0; i < n; i++) for (j = 0; j < n; j++)
+            printf "f %d %d %d %d\n", i * n + j + 1, i * n + (j + 1) % n + 1, (i + 1) * n + (j + 1) % n + 1, (i + 1) * n + j + 1
+    }'
+}
+ball 16 >ball.obj
+ball 5 >small.obj
 
 # Tetrahedra that go through each other, which take depths; numbers of Park and Miller.
 awk -v n=40 'function random() { seed = seed * 16807 % 2147483647; return seed / 2147483647 - 0.5 }
@@ -140,8 +144,8 @@ with_cache() { XDG_CACHE_HOME=$work/remembered "$limner" "$@"; }
 entries() { find remembered/limner -type f | wc -l; }
 
 remembers() {
-    "$limner" compile ball.obj -o fresh >/dev/null 2>&1 && with_cache compile ball.obj -o first >/dev/null 2>&1 && [ "$(entries)" -eq 1 ] &&
-        with_cache compile ball.obj -o again --report >said 2>&1 && cat said && cmp fresh.lim first.lim && cmp first.lim again.lim &&
+    "$limner" compile small.obj -o fresh >/dev/null 2>&1 && with_cache compile small.obj -o first >/dev/null 2>&1 && [ "$(entries)" -eq 1 ] &&
+        with_cache compile small.obj -o again --report >said 2>&1 && cat said && cmp fresh.lim first.lim && cmp first.lim again.lim &&
         sed 's/first/again/g; s/FIRST/AGAIN/g' first.h | diff - again.h && [ "$(entries)" -eq 1 ]
 }
 tap_check "a decision is taken once, and what is written is the same" remembers
@@ -152,21 +156,21 @@ was_read() { [ "$(find remembered/limner -type f -anewer old | wc -l)" -eq 1 ]; 
 touch -a -m -d 2002-01-01 old
 forget_readings && cat remembered/limner/* >read_once
 if was_read; then
-    tap_check "the second time it is read" eval 'forget_readings && with_cache compile ball.obj -o again >said 2>&1 && was_read'
+    tap_check "the second time it is read" eval 'forget_readings && with_cache compile small.obj -o again >said 2>&1 && was_read'
 else
     tap_skip "the second time it is read" "this file system keeps no times of reading"
 fi
 
 for_others() {
-    with_cache render ball.obj --frames 1 -o one.png 2>/dev/null >/dev/null && [ "$(entries)" -eq 1 ]
+    with_cache render small.obj --frames 1 -o one.png 2>/dev/null >/dev/null && [ "$(entries)" -eq 1 ]
 }
 tap_check "render takes what compile decided" for_others
 
 by_content() {
-    sed 's/^v 0\.0* 1\.0* .*/v 0 1.3 0/; 1,1s/.*/v 0 1.2 0/' ball.obj >other.obj && cp ball.obj copy.obj &&
+    sed 's/^v 0\.0* 1\.0* .*/v 0 1.3 0/; 1,1s/.*/v 0 1.2 0/' small.obj >other.obj && cp small.obj copy.obj &&
         with_cache compile copy.obj -o copy >/dev/null 2>&1 && [ "$(entries)" -eq 1 ] &&
         with_cache compile other.obj -o other >/dev/null 2>&1 && [ "$(entries)" -eq 2 ] && ! cmp -s other.lim first.lim &&
-        with_cache compile ball.obj -o wide --size 320x200 >/dev/null 2>&1 && [ "$(entries)" -eq 3 ]
+        with_cache compile small.obj -o wide --size 320x200 >/dev/null 2>&1 && [ "$(entries)" -eq 3 ]
 }
 tap_check "a model's content and options are what counts, not its name" by_content
 
@@ -186,15 +190,15 @@ damaged() {
         esac
         echo "$entry" >>tried
     done
-    with_cache compile ball.obj -o mended >/dev/null 2>&1 && cmp mended.lim first.lim &&
+    with_cache compile small.obj -o mended >/dev/null 2>&1 && cmp mended.lim first.lim &&
         with_cache compile other.obj -o mended >/dev/null 2>&1 && cmp mended.lim other.lim
 }
 : >tried
 tap_check "damaged entries are ignored" damaged
 
 none_there() {
-    XDG_CACHE_HOME=/nonexistent "$limner" render ball.obj --frames 1 -o none.png >said 2>&1 && cmp none.png one.png && ! grep -i cache said &&
-        env -u XDG_CACHE_HOME HOME=/nonexistent "$limner" render ball.obj --frames 1 -o none.png >said 2>&1 && ! grep -i cache said
+    XDG_CACHE_HOME=/nonexistent "$limner" render small.obj --frames 1 -o none.png >said 2>&1 && cmp none.png one.png && ! grep -i cache said &&
+        env -u XDG_CACHE_HOME HOME=/nonexistent "$limner" render small.obj --frames 1 -o none.png >said 2>&1 && ! grep -i cache said
 }
 tap_check "without a folder nothing is remembered, and nothing said" none_there
 
