@@ -50,8 +50,8 @@ static uint32_t smooth_mem[LIM_ANTIALIAS_MEM_B(TARGET_W_PX) / 4];
 #ifndef SCENE_FRAMES_PER_S
 #define SCENE_FRAMES_PER_S 15
 #endif
-#ifdef CAMERAS_LENGTH_MS
-#define TIME_MS(frame) ((frame)*UINT32_C(CAMERAS_LENGTH_MS) / CAMERAS_COUNT)
+#ifdef CAMERAS_TIME_MS
+#define TIME_MS(frame) CAMERAS_TIME_MS(frame)
 #else
 #define TIME_MS(frame) (((frame)*UINT32_C(1000) + SCENE_FRAMES_PER_S / 2) / SCENE_FRAMES_PER_S)
 #endif

@@ -28,7 +28,7 @@ static bool parse_part(const char *name, const char *from, size_t length, uint32
 bool camera_choice_parse(const char *text, struct camera_choice *out, struct error *err)
 {
     char seed_name[32], frames_name[40];
-    *out = (struct camera_choice){.text = text};
+    *out = (struct camera_choice){.text = text, .takes_times = true};
     while (out->kind < CAMERA_KINDS && strncmp(text, WORDS[out->kind], strlen(WORDS[out->kind])) != 0)
         out->kind++;
     if (out->kind == CAMERA_KINDS) return true;

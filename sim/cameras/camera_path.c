@@ -167,9 +167,24 @@ bool camera_path_is_timeless(const struct camera_path *path, struct error *err)
 {
     for (size_t i = 0; i < path->count; i++)
         if (path->frames[i].has_time)
-            return error_set(err, "%s:%zu: a camera with a time, which render alone draws", path->name,
+            return error_set(err, "%s:%zu: a camera with a time, which this command does not draw", path->name,
                              path->frames[i].line);
     return true;
+}
+
+double camera_path_time_s(const struct camera_path *path, size_t frame, double length_s)
+{
+    const struct viewpoint *viewpoint = &path->frames[frame];
+    if (viewpoint->has_time) return round(1000 * viewpoint->time_s) / 1000;
+    return floor(1000 * length_s * (double)frame / (double)path->count) / 1000;
+}
+
+bool camera_path_has_times(const struct camera_path *path)
+{
+    bool has = false;
+    for (size_t i = 0; i < path->count; i++)
+        has |= path->frames[i].has_time;
+    return has;
 }
 
 void viewpoint_write(const struct viewpoint *viewpoint, FILE *out)

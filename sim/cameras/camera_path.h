@@ -59,6 +59,12 @@ bool camera_path_few(const struct camera_path *path, size_t count, struct camera
 
 void camera_path_free(struct camera_path *path);
 
+/* When a camera looks, in whole milliseconds: its own time, or its part of all length_s of the animation. */
+double camera_path_time_s(const struct camera_path *path, size_t frame, double length_s);
+
+/* Whether any camera has a time of its own. */
+bool camera_path_has_times(const struct camera_path *path);
+
 /* An angle of view that nobody chose. */
 #define LENS_USUAL 0.0
 

@@ -15,13 +15,22 @@ static void write_camera(FILE *file, const struct lim_camera *camera)
             camera->origin[0], camera->origin[1], camera->origin[2]);
 }
 
-bool cameras_c_write(const struct camera_path *path, const struct lens *lens, const struct grid *grid, unsigned w_px,
-                     unsigned h_px, FILE *file, struct error *err)
+static void write_times(FILE *file, const double *times_s, size_t count)
+{
+    fprintf(file, "static const LIM_FLASH uint32_t cameras_time_ms[CAMERAS_COUNT] = {");
+    for (size_t frame = 0; frame < count; frame++)
+        fprintf(file, "%s%.0f,", frame % 16 ? " " : "\n    ", 1000 * times_s[frame]);
+    fprintf(file, "\n};\n#define CAMERAS_TIME_MS(frame) cameras_time_ms[frame]\n\n");
+}
+
+bool cameras_c_write(const struct camera_path *path, const double *times_s, const struct lens *lens,
+                     const struct grid *grid, unsigned w_px, unsigned h_px, FILE *file, struct error *err)
 {
     fprintf(file, "/* Cameras in a scene's units, written by `limner render --write-cameras`. */\n");
     fprintf(file, "#ifndef CAMERAS_H\n#define CAMERAS_H\n\n#include \"camera.h\"\n\n");
     fprintf(file, "#define CAMERAS_W_PX %u\n#define CAMERAS_H_PX %u\n#define CAMERAS_COUNT %zu\n\n", w_px, h_px,
             path->count);
+    if (times_s) write_times(file, times_s, path->count);
     fprintf(file, "static const LIM_FLASH struct lim_camera cameras[CAMERAS_COUNT] = {\n");
     for (size_t frame = 0; frame < path->count; frame++) {
         struct lim_camera camera;

@@ -7,6 +7,7 @@
 #include "accuracy/moving_reference.h"
 #include "accuracy/unsettled.h"
 #include "base/deadline.h"
+#include "base/grow.h"
 #include "base/inputs.h"
 #include "base/notice.h"
 #include "base/progress.h"
@@ -329,8 +330,15 @@ static bool check(const struct render *render, struct error *err)
 static bool write_cameras(const struct render *render, struct error *err)
 {
     const struct simulator_setup *setup = &render->options.setup;
-    return !render->cameras_file || cameras_c_write(&render->path, &render->lens, &render->scene.grid, setup->w_px,
-                                                    setup->h_px, render->cameras_file, err);
+    double *times_s = NULL;
+    if (!render->cameras_file) return true;
+    if (camera_path_has_times(&render->path)) times_s = grow_zeroed(render->path.count, sizeof *times_s);
+    for (size_t frame = 0; times_s && frame < render->path.count; frame++)
+        times_s[frame] = frame_time_s(render, frame);
+    const bool ok = cameras_c_write(&render->path, times_s, &render->lens, &render->scene.grid, setup->w_px,
+                                    setup->h_px, render->cameras_file, err);
+    free(times_s);
+    return ok;
 }
 
 static bool render_run(struct render *render, struct error *err)

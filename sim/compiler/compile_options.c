@@ -77,7 +77,6 @@ static bool parse_path(const char *text, struct compile_options *out, struct err
     if (choice.random_count) return error_set(err, "--path %s: a program's cameras are in a file, not at random", text);
     if (gltf_cameras_are_named(text))
         return error_set(err, "--path %s: a file of cameras, or a map; those of glTF are for --camera alone", text);
-    choice.takes_times = true;
     camera_path_free(&out->path);
     return camera_choice_read(&choice, &out->path, err);
 }

@@ -21,19 +21,12 @@ struct drawing {
     struct ids ids;
 };
 
-/* A camera has a time of its own, or all of the animation is drawn. */
-static double frame_time_s(const struct compiled *scene, const struct measure_views *views, size_t frame)
-{
-    const struct viewpoint *viewpoint = &views->path->frames[frame];
-    return viewpoint->has_time ? viewpoint->time_s : moving_time_s(scene->moving, frame, views->path->count);
-}
-
 /* Where they are in that frame. */
 static bool place_movers(struct drawing *drawing, struct measure_source *source, const struct compiled *scene,
                          const struct measure_views *views, size_t frame, struct error *err)
 {
     if (!scene->moving) return true;
-    const double time_s = frame_time_s(scene, views, frame);
+    const double time_s = camera_path_time_s(views->path, frame, moving_length_s(scene->moving));
     moving_pose(scene->moving, time_s);
     moving_pose_reference(source->still.moving, &source->reference, time_s);
     return simulator_add_movers(&drawing->simulator, scene, err) && ids_set_movers(&drawing->ids, scene->moving, err);
@@ -108,7 +101,8 @@ gdImagePtr frame_picture(const struct measure_candidate *candidate, const struct
     struct lim_camera camera;
     gdImagePtr image = NULL;
     if (!simulator_init(&simulator, &scene->scene, &setup, err)) return NULL;
-    if (scene->moving) moving_pose(scene->moving, frame_time_s(scene, views, frame));
+    if (scene->moving)
+        moving_pose(scene->moving, camera_path_time_s(views->path, frame, moving_length_s(scene->moving)));
     if (simulator_add_movers(&simulator, scene, err) &&
         simulator_set_antialias(&simulator, scene->report.antialias, err) &&
         camera_path_to_camera(views->path, frame, views->lens, &scene->grid, &camera, err) &&

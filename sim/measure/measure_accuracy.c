@@ -208,7 +208,8 @@ static bool measure_frame(struct measured *measured, const struct measure_source
 {
     const struct compiled *scene = measured->candidate->scene;
     struct lim_camera camera;
-    if (scene->moving) moving_pose(scene->moving, moving_time_s(scene->moving, frame, views->path->count));
+    if (scene->moving)
+        moving_pose(scene->moving, camera_path_time_s(views->path, frame, moving_length_s(scene->moving)));
     if (!camera_path_to_camera(views->path, frame, views->lens, &scene->grid, &camera, err) ||
         !ids_frame(&measured->ids, &camera, err))
         return false;
@@ -227,7 +228,9 @@ static bool measure_all(struct measured *measured, size_t count, struct measure_
                         const struct measure_views *views, size_t frame, struct accuracy *out, struct error *err)
 {
     struct moving *moving = source->still.moving;
-    if (moving) moving_pose_reference(moving, &source->reference, moving_time_s(moving, frame, views->path->count));
+    if (moving)
+        moving_pose_reference(moving, &source->reference,
+                              camera_path_time_s(views->path, frame, moving_length_s(moving)));
     reference_draw(&source->reference, &views->path->frames[frame], views->lens);
     for (size_t i = 0; i < count && !(frame && deadline_passed()); i++)
         if (!measure_frame(&measured[i], source, views, frame, &out[i], err)) return false;

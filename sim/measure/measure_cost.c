@@ -6,6 +6,7 @@
 
 #include "base/child.h"
 #include "base/choice.h"
+#include "base/grow.h"
 #include "cameras/cameras_c.h"
 #include "core/core.h"
 #include "measure/counts.h"
@@ -120,9 +121,12 @@ static bool write_cameras(const struct run *run, struct error *err)
     FILE *file = fopen(path, "w");
     if (!file) return error_set(err, "%s: cannot be written", path);
     const struct moving *moving = run->candidate->scene->moving;
-    if (moving) fprintf(file, "#define CAMERAS_LENGTH_MS %.0f\n", moving_length_s(moving) * 1000);
-    const bool ok =
-        cameras_c_write(views->path, views->lens, &run->candidate->scene->grid, views->w_px, views->h_px, file, err);
+    double *times_s = moving ? grow_zeroed(views->path->count, sizeof *times_s) : NULL;
+    for (size_t frame = 0; moving && frame < views->path->count; frame++)
+        times_s[frame] = camera_path_time_s(views->path, frame, moving_length_s(moving));
+    const bool ok = cameras_c_write(views->path, times_s, views->lens, &run->candidate->scene->grid, views->w_px,
+                                    views->h_px, file, err);
+    free(times_s);
     return (fclose(file) == 0 || error_set(err, "%s: cannot be written", path)) && ok;
 }
 
@@ -157,7 +161,8 @@ static bool host_frames(const struct run *run, uint64_t *hashes, uint64_t *nodes
               simulator_set_antialias(&simulator, scene->report.antialias, err);
     for (size_t frame = 0; ok && frame < views->path->count; frame++) {
         struct lim_camera camera;
-        if (scene->moving) moving_pose(scene->moving, moving_time_s(scene->moving, frame, views->path->count));
+        if (scene->moving)
+            moving_pose(scene->moving, camera_path_time_s(views->path, frame, moving_length_s(scene->moving)));
         if (scene->report.overlay) caption_set(&caption, "frame #", frame, &simulator);
         ok = camera_path_to_camera(views->path, frame, views->lens, &scene->grid, &camera, err) &&
              simulator_frame(&simulator, &camera, err);

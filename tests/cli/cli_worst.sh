@@ -207,13 +207,22 @@ tap_check "a model that is not there is refused" refuses none.obj worst none.obj
 tap_check "a compiled scene is refused" refuses 'compiled scene' worst x.lim -o x/y
 tap_check "a folder that cannot be is refused before the search" refuses icosahedron.obj worst icosahedron.obj -o icosahedron.obj/x
 tap_check "--worst=0 is refused" refuses --worst compile icosahedron.obj --worst=0 -o x
-times_are_renders() {
-    cp found/movers.cam left.cam
-    for command in 'measure --no-cost' 'compare --no-cost' 'compile --report --max-error 1'; do
-        # shellcheck disable=SC2086 # words
-        "$limner" $command "$scenes/movers.gltf" --camera left.cam >out 2>said && return 1
-        cat said && grep -qx 'limner: left.cam:3: a camera with a time, which render alone draws' said || return 1
+# What measures sees the objects where render draws them: the same pixels are wrong, and others than without the times.
+times_count() {
+    cp found/movers.cam timed.cam && sed 's/ @.*//' timed.cam >untimed.cam
+    for path in timed untimed; do
+        "$limner" render "$scenes/movers.gltf" --camera $path.cam --size 240x240 --method scanline --compare -o "$path%d.png" 2>said |
+            sed -n 's/.*frames*, wrong \([0-9.]*\) %.*/\1/p' >$path.drawn || return 1
+        "$limner" measure "$scenes/movers.gltf" --camera $path.cam --method scanline --precision fast --no-cost -o $path >said 2>&1 &&
+            awk -F , 'NR == 2 { printf "%.4f\n", $7 }' $path/measure.csv >$path.measured || { cat said; return 1; }
+        cat $path.drawn $path.measured
     done
+    [ -s timed.drawn ] && diff timed.drawn timed.measured && ! cmp -s timed.measured untimed.measured
 }
-tap_check "cameras with times are refused by whoever draws all of an animation" times_are_renders
+tap_check "cameras with times are measured at these" times_count
+times_are_no_players() {
+    "$limner" view "$scenes/movers.gltf" --camera timed.cam >out 2>said && return 1
+    cat said && grep -qx 'limner: timed.cam:3: a camera with a time, which this command does not draw' said
+}
+tap_check "whoever has a clock of its own refuses them" times_are_no_players
 tap_done
