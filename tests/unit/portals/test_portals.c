@@ -127,7 +127,7 @@ static void with_coordinates_of_32_bits_nothing_visible_is_hidden(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof setups / sizeof *setups; i++) {
         struct tally tally = {0};
-        look_around(room_scene_compile_long, &setups[i], effort(8), 1000, 7 + i, &tally);
+        look_around(room_scene_compile_long, &setups[i], effort(16), 1000, 7 + i, &tally);
         assert_int_equal(tally.different, 0);
         assert_true(tally.restricted * 5 > tally.views);
     }
