@@ -55,7 +55,7 @@ all: $(BUILD)/limner ## [start] build the host program, build/limner (the defaul
 
 help: ## [care] list the goals
 	@awk -f sim/tools/help.awk Makefile boards/image.mk
-	@printf '\nSuites of make test: %s.\nOn demand: slow (what is slow and seldom finds anything; proofs are among it), arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), models, boards, compilers and cross with SEED=all (else a part), sanitize with it (else an eighth), long unit tests with it (else half of their work), sub-bits (profiles with other ones), levels (all maps of Freedoom; LEVELS="E1M1 MAP01": these), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
+	@printf '\nSuites of make test: %s.\nOn demand: slow (what is slow and seldom finds anything; proofs are among it), arm64 (a stock kernel), features (all pairs of LIM_HAS_ flags; SUITES=all has an eighth, SEED=0 to 7 say which), models, boards, compilers and cross with SEED=all (else a part), sanitize with it (else a sixteenth), long unit tests with it (else half of their work), sub-bits (profiles with other ones), levels (all maps of Freedoom; LEVELS="E1M1 MAP01": these), and cpus with EVERY_PROFILE=yes.\n' "$(ALL_SUITES)"
 
 # -- Debian packages: what every build needs, and what a goal or a suite needs beside ----------------------------------
 
