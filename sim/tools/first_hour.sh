@@ -70,5 +70,8 @@ mkdir "$root/limner"
 git archive HEAD | tar -x -C "$root/limner"
 inside apt-get install -y -qq make >"$work/log" 2>&1
 write cores "$(nproc)"
-write run-minutes "$(minutes_of run)"
-write test-minutes "$(minutes_of test)"
+# Each by itself: what fails ends the script before anything is written.
+run_minutes=$(minutes_of run)
+write run-minutes "$run_minutes"
+test_minutes=$(minutes_of test)
+write test-minutes "$test_minutes"
