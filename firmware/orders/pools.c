@@ -28,12 +28,6 @@ static uint16_t least_cells(const struct lim_scene *scene)
     return (uint16_t)(LIM_RETAINED_HEAD_CELLS + scene->limits.vertices + CLIP_PLANES);
 }
 
-/* One polygon, one gap: what a band of one pixel needs. Lines that are transparent need nothing (bands.c). */
-static struct shares least_shares(const struct lim_scene *scene)
-{
-    return (struct shares){.shared_b = shared_b(least_cells(scene), 1, 1), .gaps = 1};
-}
-
 static uint16_t greater(uint16_t a, uint16_t b)
 {
     return a > b ? a : b;
@@ -52,6 +46,15 @@ static uint16_t comfortable_pieces(const struct lim_scene *scene, const struct l
 
     if (!LIM_IS_NEWELL(target)) return 0;
     return scene->limits.pieces < most ? scene->limits.pieces : most;
+}
+
+/* One polygon, one gap: what a band of one pixel needs. Lines that are transparent need nothing (bands.c). Bands do not
+ * make up for pieces: with fewer than are counted on, other polygons would be nearest. */
+static struct shares least_shares(const struct lim_scene *scene, const struct lim_target *target)
+{
+    return (struct shares){.shared_b = shared_b(least_cells(scene), 1, 1),
+                           .gaps = 1,
+                           .pieces = comfortable_pieces(scene, target)};
 }
 
 /* What scan lines paint leaves no gaps, but those of a line, antialiased. What they cannot paint makes do with one. */
@@ -97,7 +100,7 @@ static size_t total_b(const struct lim_scene *scene, const struct lim_target *ta
 
 size_t lim_nearest_mem_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
-    return total_b(scene, target, least ? least_shares(scene) : comfortable_shares(scene, target));
+    return total_b(scene, target, least ? least_shares(scene, target) : comfortable_shares(scene, target));
 }
 
 /* from + (to - from) * part; part < 1. */
@@ -119,7 +122,7 @@ static struct shares with_surplus(struct shares wanted, const struct lim_scene *
 /* Scales what is comfortable down to what there is; never below the least. The pools together are below 2^24 bytes. */
 static void scale(struct shares *shares, const struct lim_scene *scene, const struct lim_target *target, size_t mem_b)
 {
-    const struct shares least = least_shares(scene);
+    const struct shares least = least_shares(scene, target);
     const size_t least_b = total_b(scene, target, least), wanted_b = total_b(scene, target, *shares);
 
     if (mem_b >= wanted_b) {
@@ -128,7 +131,6 @@ static void scale(struct shares *shares, const struct lim_scene *scene, const st
     }
     const uint16_t part_q8 = (uint16_t)(((uint32_t)(mem_b - least_b) << 8) / (uint32_t)(wanted_b - least_b));
     shares->gaps = between(1, shares->gaps, part_q8);
-    shares->pieces = between(0, shares->pieces, part_q8);
     if (LIM_HAS_TRANSPARENT) *shares->layers = between(0, *shares->layers, part_q8);
 }
 

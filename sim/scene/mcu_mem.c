@@ -149,7 +149,7 @@ size_t mcu_mem_min_b(const struct compiled *scene)
     if (scene->report.draws == LIM_CONVEX) return convex_b(scene, 0);
     if (scene->report.draws == LIM_PAINTER) return painter_b(scene);
     if (method_draws_meshes(scene->report.draws)) return mesh_b(scene, MCU_MESH_LEAST_ACTIVE);
-    return nearest_b(scene, needs_least_cells(&scene->scene.limits), 1, 1, 0);
+    return nearest_b(scene, needs_least_cells(&scene->scene.limits), 1, 1, scene->scene.limits.pieces);
 }
 
 static size_t mover_b(const struct compiled *scene, const struct moving *moving)

@@ -28,6 +28,14 @@ tap_check "teapot by scan lines with 50 % of the pools" grows_gently teapot scan
 tap_check "knot by scan lines with 70 % of the pools" grows_gently knot scanline 70 1.3 3
 tap_check "knot by scan lines with 50 % of the pools" grows_gently knot scanline 50 1.5 3
 
+# Newell's pieces are polygons: with room for fewer of them others would be nearest.
+the_same_by_newell() {
+    set -- sim/scenes/knot.obj --method newell --camera random:3:12 --size 120x120
+    "$limner" render "$@" --write-hashes "$work/hashes" >"$work/all" && "$limner" render "$@" --ram 1% --check "$work/hashes" &&
+        ! "$limner" render "$@" --ram 5000 2>"$work/error" && grep -q 'too little memory; [0-9]* are the least' "$work/error"
+}
+tap_check "by Newell, less memory shows the same, or is refused" the_same_by_newell
+
 refuses() { ! "$limner" render sim/scenes/teapot.obj --frames 1 --stats --ram "$1" 2>"$work/error" && grep -q "$2" "$work/error"; }
 tap_check "too little is refused, with the least" refuses 1000 'too little memory; [0-9]* are the least'
 tap_check "no number is refused" refuses some '^limner: --ram'
