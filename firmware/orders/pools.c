@@ -52,9 +52,8 @@ static uint16_t comfortable_pieces(const struct lim_scene *scene, const struct l
  * make up for pieces: with fewer than are counted on, other polygons would be nearest. */
 static struct shares least_shares(const struct lim_scene *scene, const struct lim_target *target)
 {
-    return (struct shares){.shared_b = shared_b(least_cells(scene), 1, 1),
-                           .gaps = 1,
-                           .pieces = comfortable_pieces(scene, target)};
+    return (struct shares){
+        .shared_b = shared_b(least_cells(scene), 1, 1), .gaps = 1, .pieces = comfortable_pieces(scene, target)};
 }
 
 /* What scan lines paint leaves no gaps, but those of a line, antialiased. What they cannot paint makes do with one. */

@@ -4,6 +4,7 @@
  * its place, and renamed. */
 #include "base/cache.h"
 
+#include "base/child.h"
 #include "base/grow.h"
 #include "base/sha256.h"
 
@@ -48,7 +49,8 @@ static bool name_folder(char out[FOLDER_B])
 static bool find_program(void)
 {
     struct stat about;
-    if (stat("/proc/self/exe", &about) != 0) return false;
+    char path[CHILD_PATH_B];
+    if (!child_own_path(path) || stat(path, &about) != 0) return false;
     const int64_t program[] = {about.st_size, about.st_mtim.tv_sec, about.st_mtim.tv_nsec};
     sha256(program_key, (const uint8_t *)program, sizeof program);
     return true;

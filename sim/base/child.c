@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * fork(), redirection, exec, wait; what the child could not even start with goes to its log as well. */
+#define _XOPEN_SOURCE 700
 #include "base/child.h"
 
 #include "base/deadline.h"
@@ -13,11 +14,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/auxv.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { CANNOT_START = 127, PATH_MAX_B = 4096, LINE_MAX_B = 300 };
+enum { CANNOT_START = 127, PATH_MAX_B = CHILD_PATH_B, LINE_MAX_B = 300 };
 
 static bool redirect(const char *path, int flags, int descriptor)
 {
@@ -98,4 +100,15 @@ bool child_exists(const char *program)
         path += length + (path[length] == ':');
     }
     return false;
+}
+
+/* Linux tells by a link in /proc. Without it, by the name that the program was started by, which may count from the
+ * folder that it was started in. */
+bool child_own_path(char path[CHILD_PATH_B])
+{
+    const ssize_t length = readlink("/proc/self/exe", path, CHILD_PATH_B - 1);
+    const char *started_as = (const char *)getauxval(AT_EXECFN);
+    if (length <= 0) return started_as && realpath(started_as, path);
+    path[length] = '\0';
+    return true;
 }

@@ -26,4 +26,9 @@ bool child_wait(pid_t pid, const char *task, int *status, struct error *err);
 /* Whether PATH has such a program. */
 bool child_exists(const char *program);
 
+/* The absolute path of the running program's own file, also where there is no /proc. false, with errno: that cannot be
+ * found out. */
+enum { CHILD_PATH_B = 4096 };
+bool child_own_path(char path[CHILD_PATH_B]);
+
 #endif

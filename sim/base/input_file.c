@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,9 +58,25 @@ FILE *input_open(const char *path, size_t most_b, size_t *size_b, struct error *
     return file_of(descriptor, path, err);
 }
 
-static bool names_open_file(const char *path)
+/* The number of an open file that a path names, or -1. */
+static int open_file_of(const char *path)
 {
-    return strcmp(path, "/dev/stdin") == 0 || strncmp(path, "/dev/fd/", 8) == 0;
+    char *end;
+    if (strcmp(path, "/dev/stdin") == 0) return STDIN_FILENO;
+    if (strncmp(path, "/dev/fd/", 8) != 0 || path[8] < '0' || path[8] > '9') return -1;
+    const long number = strtol(path + 8, &end, 10);
+    return *end || number > INT_MAX ? -1 : (int)number;
+}
+
+/* A pipe that is open already: returns at once. Without /proc there are no such paths, and the file is open all the
+ * same. */
+static int open_again(const char *path, int number)
+{
+    const int descriptor = open(path, O_RDONLY | O_NOCTTY | O_CLOEXEC);
+    if (descriptor >= 0 || errno != ENOENT) return descriptor;
+    const int copy = fcntl(number, F_DUPFD_CLOEXEC, 0);
+    if (copy < 0) errno = ENOENT;
+    return copy;
 }
 
 FILE *input_open_stream(const char *path, struct error *err)
@@ -69,8 +86,9 @@ FILE *input_open_stream(const char *path, struct error *err)
         if (fstat(STDIN_FILENO, &about) == 0) inputs_note_file(&about);
         return stdin;
     }
-    if (!names_open_file(path)) return input_open(path, SIZE_MAX, NULL, err);
-    int descriptor = open(path, O_RDONLY | O_NOCTTY | O_CLOEXEC); /* a pipe that is open already: returns */
+    const int number = open_file_of(path);
+    if (number < 0) return input_open(path, SIZE_MAX, NULL, err);
+    int descriptor = open_again(path, number);
     if (descriptor < 0) error_set(err, "%s: %s", path, strerror(errno));
     if (descriptor >= 0 && (fstat(descriptor, &about) != 0 || !S_ISFIFO(about.st_mode)))
         descriptor = check(descriptor, path, SIZE_MAX, &about, err);

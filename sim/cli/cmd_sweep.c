@@ -3,6 +3,7 @@
  * `limner sweep MODEL... -o DIR`: plans a `limner measure` for each model and setting, as a file of commands that
  * others run: a shell, GNU parallel, Slurm. `limner sweep --merge DIR` joins what these have written. */
 #include "base/arguments.h"
+#include "base/child.h"
 #include "base/grow.h"
 #include "cli/commands.h"
 #include "measure/measure_request.h"
@@ -20,7 +21,7 @@ static const char PROFILES[] = "draft,fast,fine,exact", METHOD_AUTO[] = "auto";
 
 struct sweeping {
     const char *folder;
-    char program[PATH_MAX_B];
+    char program[CHILD_PATH_B];
     char **options, **models;
     size_t option_count, model_count;
     char precisions[SETTINGS_MAX][WORD_B], methods[SETTINGS_MAX][WORD_B];
@@ -47,10 +48,8 @@ static bool parse_list(const char *option, const char *text, char names[SETTINGS
 
 static bool find_program(struct sweeping *sweeping, struct error *err)
 {
-    const ssize_t length = readlink("/proc/self/exe", sweeping->program, sizeof sweeping->program - 1);
-    if (length <= 0) return error_set(err, "sweep: cannot find out where this program is: %s", strerror(errno));
-    sweeping->program[length] = '\0';
-    return true;
+    return child_own_path(sweeping->program) ||
+           error_set(err, "sweep: cannot find out where this program is: %s", strerror(errno));
 }
 
 /* -o, which getopt would take for an option of measure. */

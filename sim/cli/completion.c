@@ -220,7 +220,7 @@ void completion_print(FILE *out)
     fputs("# bash completion for limner; written by `limner help --bash-completion`\n"
           "_limner() {\n"
           "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]} "
-          "words=\n"
+          "words= found\n"
           "    COMPREPLY=()\n"
           "    case $before in\n",
           out);
@@ -234,11 +234,12 @@ void completion_print(FILE *out)
           "        ;;\n"
           "    esac\n"
           "    if [[ $words ]]; then\n"
-          "        mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
+          "        found=$(compgen -W \"$words\" -- \"$word\")\n"
           "    else\n"
-          "        mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n"
+          "        found=$(compgen -f -- \"$word\")\n"
           "        compopt -o filenames 2>/dev/null\n"
           "    fi\n"
+          "    [[ ! $found ]] || mapfile -t COMPREPLY <<<\"$found\"\n"
           "}\n"
           "complete -F _limner limner\n",
           out);

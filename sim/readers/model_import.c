@@ -32,6 +32,17 @@ enum {
 /* A file of a few bytes may not ask for much: a picture, the largest, takes 64 MB and as much again while it is
  * decoded. An address sanitizer's memory, which begins with terabytes, is the sanitizer's own affair. */
 static const rlim_t LEAST_MEMORY_B = (rlim_t)192 << 20, SANITIZED_B = (rlim_t)1 << 40;
+#if defined(__SANITIZE_ADDRESS__)
+enum { IS_SANITIZED = true };
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+enum { IS_SANITIZED = true };
+#else
+enum { IS_SANITIZED = false };
+#endif
+#else
+enum { IS_SANITIZED = false };
+#endif
 
 struct result {
     bool ok;
@@ -44,7 +55,7 @@ struct result {
     struct error err;
 };
 
-/* 0 where the system does not tell. */
+/* All addresses; 0 where the system does not tell. */
 static rlim_t memory_in_use_b(void)
 {
     unsigned long pages = 0;
@@ -68,10 +79,20 @@ static void limit(int resource, rlim_t soft)
     setrlimit(resource, &now);
 }
 
+/* Where the addresses in use are not told, what is written to is limited, of which less than was in memory is in use.
+ */
+static void limit_memory(rlim_t more_b)
+{
+    const rlim_t in_use_b = memory_in_use_b();
+    struct rusage usage;
+    if (in_use_b && in_use_b < SANITIZED_B) limit(RLIMIT_AS, in_use_b + more_b);
+    if (in_use_b || IS_SANITIZED || getrusage(RUSAGE_SELF, &usage) != 0) return;
+    limit(RLIMIT_DATA, (rlim_t)usage.ru_maxrss * 1024 + more_b);
+}
+
 static void limit_child(rlim_t file_b)
 {
-    rlim_t in_use_b = memory_in_use_b();
-    if (in_use_b && in_use_b < SANITIZED_B) limit(RLIMIT_AS, in_use_b + LEAST_MEMORY_B + MEMORY_B_A_B * file_b);
+    limit_memory(LEAST_MEMORY_B + MEMORY_B_A_B * file_b);
     limit(RLIMIT_CPU, cpu_limit_s(file_b));
     limit(RLIMIT_CORE, 0);
 }

@@ -10,6 +10,7 @@
 #include <dirent.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #define CORPUS "tests/fuzz/corpus"
 
@@ -203,5 +204,10 @@ int main(void)
         cmocka_unit_test(every_target_is_replayed),
     };
 
+    if (access("/proc/self/fd", F_OK) != 0) {
+        puts("ok 1 - fuzz corpus # SKIP there is no /proc here, by which inputs in memory have names");
+        puts("1..1");
+        return 0;
+    }
     return cmocka_run_group_tests_name("fuzz corpus", tests, NULL, NULL);
 }
