@@ -32,14 +32,11 @@ enum {
 /* A file of a few bytes may not ask for much: a picture, the largest, takes 64 MB and as much again while it is
  * decoded. An address sanitizer's memory, which begins with terabytes, is the sanitizer's own affair. */
 static const rlim_t LEAST_MEMORY_B = (rlim_t)192 << 20, SANITIZED_B = (rlim_t)1 << 40;
-#if defined(__SANITIZE_ADDRESS__)
-enum { IS_SANITIZED = true };
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-enum { IS_SANITIZED = true };
-#else
-enum { IS_SANITIZED = false };
+#ifndef __has_feature
+#define __has_feature(name) 0 /* clang's way to tell */
 #endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+enum { IS_SANITIZED = true };
 #else
 enum { IS_SANITIZED = false };
 #endif

@@ -10,25 +10,14 @@ export XDG_CACHE_HOME=/nonexistent # each command decides for itself
 
 limner=$(cd "$BUILD" && pwd)/limner
 scenes=$(pwd)/sim/scenes
-furnished=$(pwd)/tests/furnished.awk
+furnished=$(pwd)/tests/furnished.awk ball=$(pwd)/tests/ball.awk
 cd "$work" || exit 1
 
 # Models --------------------------------------------------------------------------------------------------
 
-# A ball of N rings of quads with bumps: of 16, a mesh by distance draws it.
-ball() { # N
-    awk -v n="$1" 'BEGIN {
-        pi = atan2(0, -1)
-        for (i = 0; i <= n; i++) for (j = 0; j < n; j++) {
-            a = pi * i / n; b = 2 * pi * j / n; r = 1 + 0.1 * sin(5 * a) * cos(4 * b)
-            printf "v %.6f %.6f %.6f\n", r * sin(a) * cos(b), r * cos(a), r * sin(a) * sin(b)
-        }
-        for (i = 0; i < n; i++) for (j = 0; j < n; j++)
-            printf "f %d %d %d %d\n", i * n + j + 1, i * n + (j + 1) % n + 1, (i + 1) * n + (j + 1) % n + 1, (i + 1) * n + j + 1
-    }'
-}
-ball 16 >ball.obj
-ball 5 >small.obj
+# Of 16 rings, a mesh by distance draws it.
+awk -v n=16 -f "$ball" >ball.obj
+awk -v n=5 -f "$ball" >small.obj
 
 # Tetrahedra that go through each other, which take depths; numbers of Park and Miller.
 awk -v n=40 'function random() { seed = seed * 16807 % 2147483647; return seed / 2147483647 - 0.5 }

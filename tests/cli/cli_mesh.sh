@@ -26,19 +26,7 @@ refused() { # REASON COMMAND...
     [ "$(wc -l <"$work/said")" -eq 1 ] && says "$reason"
 }
 
-# A ball of quads, with a texture of bumps, so that nothing is flat.
-ball() { # RINGS
-    awk -v n="$1" 'BEGIN {
-        pi = atan2(0, -1)
-        for (i = 0; i <= n; i++) for (j = 0; j < n; j++) {
-            a = pi * i / n; b = 2 * pi * j / n; r = 1 + 0.1 * sin(5 * a) * cos(4 * b)
-            printf "v %.6f %.6f %.6f\n", r * sin(a) * cos(b), r * cos(a), r * sin(a) * sin(b)
-        }
-        for (i = 0; i < n; i++) for (j = 0; j < n; j++)
-            printf "f %d %d %d %d\n", i * n + j + 1, i * n + (j + 1) % n + 1, (i + 1) * n + (j + 1) % n + 1, (i + 1) * n + j + 1
-    }'
-}
-ball 40 >"$work/ball.obj"
+awk -v n=40 -f tests/ball.awk >"$work/ball.obj"
 
 # Two boxes through each other, which no order of whole triangles gets right.
 cross() {
@@ -95,7 +83,7 @@ not_tried() { # MODEL
 }
 
 quick() { # 100,000 triangles
-    ball 224 >"$work/large.obj"
+    awk -v n=224 -f tests/ball.awk >"$work/large.obj"
     timeout 60 "$limner" render "$work/large.obj" --method mesh-depth --size 96x96 --frames 1 -o "$work/large.png"
 }
 
