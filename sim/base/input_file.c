@@ -5,10 +5,10 @@
 
 #include "base/grow.h"
 #include "base/inputs.h"
+#include "base/open_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,27 +58,6 @@ FILE *input_open(const char *path, size_t most_b, size_t *size_b, struct error *
     return file_of(descriptor, path, err);
 }
 
-/* The number of an open file that a path names, or -1. */
-static int open_file_of(const char *path)
-{
-    char *end;
-    if (strcmp(path, "/dev/stdin") == 0) return STDIN_FILENO;
-    if (strncmp(path, "/dev/fd/", 8) != 0 || path[8] < '0' || path[8] > '9') return -1;
-    const long number = strtol(path + 8, &end, 10);
-    return *end || number > INT_MAX ? -1 : (int)number;
-}
-
-/* A pipe that is open already: returns at once. Without /proc there are no such paths, and the file is open all the
- * same. */
-static int open_again(const char *path, int number)
-{
-    const int descriptor = open(path, O_RDONLY | O_NOCTTY | O_CLOEXEC);
-    if (descriptor >= 0 || errno != ENOENT) return descriptor;
-    const int copy = fcntl(number, F_DUPFD_CLOEXEC, 0);
-    if (copy < 0) errno = ENOENT;
-    return copy;
-}
-
 FILE *input_open_stream(const char *path, struct error *err)
 {
     struct stat about;
@@ -86,9 +65,8 @@ FILE *input_open_stream(const char *path, struct error *err)
         if (fstat(STDIN_FILENO, &about) == 0) inputs_note_file(&about);
         return stdin;
     }
-    const int number = open_file_of(path);
-    if (number < 0) return input_open(path, SIZE_MAX, NULL, err);
-    int descriptor = open_again(path, number);
+    if (open_file_number(path) < 0) return input_open(path, SIZE_MAX, NULL, err);
+    int descriptor = open_file_again(path, O_RDONLY);
     if (descriptor < 0) error_set(err, "%s: %s", path, strerror(errno));
     if (descriptor >= 0 && (fstat(descriptor, &about) != 0 || !S_ISFIFO(about.st_mode)))
         descriptor = check(descriptor, path, SIZE_MAX, &about, err);
