@@ -9,6 +9,7 @@
 #include "base/deadline.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
+#include "compiler/portal_best.h"
 #include "core/core.h"
 #include "portals/pvs.h"
 #include "render/frame_cost.h"
@@ -36,25 +37,31 @@ static double angle_of(const struct compiled *scene, const struct compile_option
 
 /* Trying ------------------------------------------------------------------------------------- */
 
-/* Sampled cameras, drawn with what the portals show and without. */
+/* Sampled cameras, drawn with what the portals show, or with the best that they could, and without. */
 struct trial {
     const struct compiled *scene;
-    struct lim_scene plain; /* the scene without places */
+    struct lim_scene plain;   /* the scene without places */
+    struct portal_best *best; /* or NULL */
     struct simulator with, without;
     struct portal_report *report;
 };
 
-static bool trial_begin(struct trial *trial, const struct compiled *scene, const struct core *core,
-                        struct portal_report *report, struct error *err)
+static struct simulator_setup trial_setup(const struct compiled *scene, const struct core *core)
 {
     const bool is_draft = core && core->profile == LIM_PROFILE_DRAFT; /* has stray pixels of its own */
-    const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, scene->report.draws, SIMULATOR_MEMORY,
-                                          is_draft ? &core_fast : core};
-    *trial = (struct trial){.scene = scene, .plain = scene->scene, .report = report};
+    return (struct simulator_setup){scene->report.w_px, scene->report.h_px, scene->report.draws, SIMULATOR_MEMORY,
+                                    is_draft ? &core_fast : core};
+}
+
+static bool trial_begin(struct trial *trial, const struct simulator_setup *setup, struct error *err)
+{
+    const struct compiled *scene = trial->scene;
+    struct portal_report *report = trial->report;
     report->cost_before = report->cost_after = frame_cost_knows(scene->report.draws) ? 0.0 : NAN;
+    trial->plain = scene->scene;
     trial->plain.place_count = 0;
-    if (!simulator_init(&trial->with, &scene->scene, &setup, err)) return false;
-    if (simulator_init(&trial->without, &trial->plain, &setup, err)) return true;
+    if (!simulator_init(&trial->with, trial->best ? &trial->best->scene : &scene->scene, setup, err)) return false;
+    if (simulator_init(&trial->without, &trial->plain, setup, err)) return true;
     simulator_free(&trial->with);
     return false;
 }
@@ -89,16 +96,18 @@ static bool trial_run(struct trial *trial, struct error *err)
         const struct camera_path path = {"sampled cameras", &viewpoint, 1};
         struct lim_camera camera;
         if (!camera_path_to_camera(&path, 0, &lens, &trial->scene->grid, &camera, err)) continue; /* out of range */
+        if (trial->best && !portal_best_see(trial->best, &camera, err)) return false;
         if (!trial_frame(trial, &camera, err)) return false;
     }
     return deadline_check(err, "portals were still tried out");
 }
 
-static bool try_out(const struct compiled *scene, const struct core *core, struct portal_report *report,
-                    struct error *err)
+static bool try_out(const struct compiled *scene, const struct core *core, struct portal_best *best,
+                    struct portal_report *report, struct error *err)
 {
-    struct trial trial;
-    if (!trial_begin(&trial, scene, core, report, err)) return false;
+    const struct simulator_setup setup = trial_setup(scene, core);
+    struct trial trial = {.scene = scene, .best = best, .report = report};
+    if (!trial_begin(&trial, &setup, err)) return false;
     const bool ok = trial_run(&trial, err);
     simulator_free(&trial.with);
     simulator_free(&trial.without);
@@ -117,6 +126,25 @@ static bool spares_enough(const struct portal_report *portals)
 static bool pays(const struct compile_report *report)
 {
     return spares_enough(&report->portals) && report->portals.bytes * 100 <= report->flash_b * MOST_FLASH_PERCENT;
+}
+
+/* Whether portals could pay: the best that they could show is tried in far less time than what they do show is found.
+ * False, with the reason: they cannot. */
+static bool could_pay(const struct compiled *scene, const struct core *core, struct error *reason)
+{
+    const struct simulator_setup setup = trial_setup(scene, core);
+    struct portal_report tried = {0};
+    struct portal_best best;
+    if (!portal_best_init(&best, scene, &setup, reason)) return false;
+    const bool ok = try_out(scene, core, &best, &tried, reason);
+    portal_best_free(&best);
+    if (!ok || spares_enough(&tried)) return ok;
+    const bool by_cost = !isnan(tried.cost_before);
+    const double before = by_cost ? tried.cost_before : (double)tried.polygons_before;
+    const double after = by_cost ? tried.cost_after : (double)tried.polygons_after;
+    return error_set(reason, "at best they would spare %.1f %% of %s; they pay from %d %% on",
+                     fmax(0.0, 100.0 * (1.0 - after / before)), by_cost ? "the instructions" : "the polygons reached",
+                     by_cost ? LEAST_COST_PERCENT : LEAST_SAVED_PERCENT);
 }
 
 /* Keeps them or takes them out again. */
@@ -148,6 +176,16 @@ static void attach(struct compiled *scene, const struct pvs *pvs)
     lim_image_set_pvs(scene, pvs->places, pvs->place_count, pvs->bytes, pvs->byte_count);
 }
 
+static bool find(const struct compiled *scene, const struct compile_options *options, struct pvs *out,
+                 struct error *reason)
+{
+    const bool wanted = options->portals == PORTALS_ON;
+    struct pvs_effort effort = pvs_usual_effort;
+    if (wanted) effort.hidden = 0.0;
+    return pvs_may_be(&scene->scene, reason) && (wanted || could_pay(scene, options->core, reason)) &&
+           pvs_find(&scene->scene, angle_of(scene, options), &effort, out, reason);
+}
+
 bool portals_add(struct compiled *scene, const struct compile_options *options, struct error *err)
 {
     struct portal_report *report = &scene->report.portals;
@@ -159,14 +197,14 @@ bool portals_add(struct compiled *scene, const struct compile_options *options, 
     progress("portals");
     if (has_none)
         return error_set(err, "portals: %s has no cells to look from", is_mesh ? "a mesh" : "one convex solid");
-    if (!pvs_find(&scene->scene, angle_of(scene, options), &pvs_usual_effort, &pvs, &reason)) {
+    if (!find(scene, options, &pvs, &reason)) {
         if (!wanted) deadline_say("a scene without portals");
         snprintf(report->refused, sizeof report->refused, "%.95s", reason.text);
         return !wanted || error_set(err, "portals: %s", reason.text);
     }
     attach(scene, &pvs);
     pvs_free(&pvs);
-    if (try_out(scene, options->core, report, err)) return decide(scene, options, err);
+    if (try_out(scene, options->core, NULL, report, err)) return decide(scene, options, err);
     if (wanted || !deadline_passed()) return false;
     *report = (struct portal_report){0}; /* they are not needed, and nothing is known of them */
     lim_image_set_pvs(scene, NULL, 0, NULL, 0);

@@ -212,6 +212,7 @@ static void records_see(struct flow *flow, const struct source *source, const st
         struct patch patch = flow->cells->records[index].patch;
         if (flow->visible[index]) continue;
         flow->visible[index] = clip_through(flow, source, &through->flat, window, RECORD_MARGIN_UNITS, &patch);
+        flow->unseen -= flow->visible[index];
     }
 }
 
@@ -304,9 +305,9 @@ static bool group_follow(struct flow *flow, const struct source *source, const u
     flow->group_number++;
     for (size_t i = 0; i < count; i++)
         widen(flow, &front, exits[i], grown(flow, source, exits[i]));
-    while (front.count && flow->work < flow->work_max && !deadline_passed())
+    while (front.count && flow->unseen && flow->work < flow->work_max && !deadline_passed())
         look_on(flow, &front, source, next(flow, &front));
-    return !front.count;
+    return !front.count || !flow->unseen;
 }
 
 /* Records ------------------------------------------------------------------------------------ */
@@ -325,17 +326,22 @@ static bool turns_its_back(const struct flow *flow, size_t zone, const struct fl
     return true;
 }
 
-/* What the zone's own cells touch; and slivers: nobody knows what they touch. */
+/* What the zone's own cells touch; and slivers: nobody knows what they touch. Backs are not looked for, and dropped in
+ * the end. */
 static void records_begin(struct flow *flow, size_t zone)
 {
     const struct zones *zones = flow->zones;
+    flow->unseen = 0;
     for (size_t r = 0; r < flow->cells->record_count; r++)
-        flow->visible[r] = flow->cells->records[r].patch.count == 0;
+        flow->visible[r] =
+            flow->cells->records[r].patch.count == 0 || turns_its_back(flow, zone, &flow->cells->records[r].faces);
     for (size_t i = zones->first[zone]; i < zones->first[zone + 1]; i++) {
         const struct cell *cell = &flow->cells->items[zones->cells[i]];
         for (size_t k = 0; k < cell->touch_count; k++)
             flow->visible[flow->cells->touches[cell->first_touch + k]] = true;
     }
+    for (size_t r = 0; r < flow->cells->record_count; r++)
+        flow->unseen += !flow->visible[r];
 }
 
 static void backs_drop(struct flow *flow, size_t zone)

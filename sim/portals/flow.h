@@ -22,6 +22,7 @@ struct flow {
     bool *waiting;
     uint32_t *queue;
     bool *visible; /* the caller's: each record */
+    size_t unseen; /* records that are still looked for */
     size_t work, work_max;
 };
 

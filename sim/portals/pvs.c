@@ -6,6 +6,7 @@
 
 #include "base/deadline.h"
 #include "base/grow.h"
+#include "portals/boxes.h"
 #include "portals/flow.h"
 
 #include <stdlib.h>
@@ -14,7 +15,7 @@
 enum { PVS_MAX = 512, BYTES_A_POLYGON = 32 };
 
 /* A zone of rooms takes 60 thousand at most, one of Freedoom's maps 2.2 million, and a map 16 million. */
-const struct pvs_effort pvs_usual_effort = {.zone_work = 3000000, .work = 20000000, .given_up = 0.25};
+const struct pvs_effort pvs_usual_effort = {.zone_work = 3000000, .work = 20000000, .given_up = 0.25, .hidden = 0.03};
 
 /* A visible set and the zones that share it. */
 struct group {
@@ -28,17 +29,16 @@ struct work {
     struct cells cells;
     struct zones zones;
     struct flow flow;
-    lim_index *boxes; /* of each node: the smallest box that holds it, or LIM_NO_INDEX */
-    lim_index *above; /* of each box: the next one around it, or LIM_NO_INDEX */
-    size_t *own;      /* of each box: its polygons that no smaller one holds */
-    size_t unboxed;   /* polygons in no box */
-    size_t bits_b;
+    struct boxes boxes;
+    size_t *own;          /* of each box: its polygons that no smaller one holds */
+    size_t unboxed;       /* polygons in no box */
     struct group *groups; /* by zone at first */
     uint32_t *group_of;   /* of each zone */
     const struct pvs_effort *effort;
     size_t work_left;     /* of effort->work */
     size_t given_up;      /* zones whose portals lead too far */
     double part_given_up; /* of the volume */
+    double part_shown;    /* of the polygons, by volume */
 };
 
 size_t pvs_pack(const uint8_t *bytes, size_t count, uint8_t *out)
@@ -57,47 +57,30 @@ size_t pvs_pack(const uint8_t *bytes, size_t count, uint8_t *out)
 
 /* Boxes -------------------------------------------------------------------------------------- */
 
-static void boxes_find(struct work *work)
+static void boxes_count(struct work *work)
 {
-    const struct lim_scene *scene = work->scene;
-    work->boxes = grow_zeroed(scene->node_count, sizeof *work->boxes);
-    work->above = grow_zeroed(scene->box_count, sizeof *work->above);
-    work->own = grow_zeroed(scene->box_count, sizeof *work->own);
-    work->bits_b = ((size_t)scene->box_count + 7) / 8;
-    for (size_t i = 0; i < scene->node_count; i++) {
-        const uint32_t parent = work->cells.parents[i];
-        const lim_index around = parent == i ? LIM_NO_INDEX : work->boxes[parent];
-        work->boxes[i] = scene->nodes[i].box == LIM_NO_INDEX ? around : scene->nodes[i].box;
-        if (scene->nodes[i].box != LIM_NO_INDEX) work->above[scene->nodes[i].box] = around;
-    }
+    boxes_find(&work->boxes, work->scene);
+    work->own = grow_zeroed(work->scene->box_count, sizeof *work->own);
     for (size_t r = 0; r < work->cells.record_count; r++) {
-        const lim_index box = work->boxes[work->cells.records[r].node];
+        const lim_index box = work->boxes.of_node[work->cells.records[r].node];
         ++*(box == LIM_NO_INDEX ? &work->unboxed : &work->own[box]);
     }
-}
-
-static bool has_bit(const uint8_t *bits, size_t box)
-{
-    return bits[box / 8] >> (box % 8) & 1;
 }
 
 /* A visible record's box and all around it. */
 static void bits_set(const struct work *work, const bool *visible, uint8_t *bits)
 {
-    for (size_t r = 0; r < work->cells.record_count; r++) {
-        if (!visible[r]) continue;
-        for (lim_index box = work->boxes[work->cells.records[r].node]; box != LIM_NO_INDEX; box = work->above[box])
-            bits[box / 8] |= (uint8_t)(1u << box % 8);
-    }
+    for (size_t r = 0; r < work->cells.record_count; r++)
+        if (visible[r]) boxes_show(&work->boxes, work->boxes.of_node[work->cells.records[r].node], bits);
 }
 
 static void group_weigh(const struct work *work, struct group *group)
 {
-    uint8_t *packed = grow_zeroed(2 * work->bits_b, 1);
-    group->packed_b = pvs_pack(group->bits, work->bits_b, packed);
+    uint8_t *packed = grow_zeroed(2 * work->boxes.bits_b, 1);
+    group->packed_b = pvs_pack(group->bits, work->boxes.bits_b, packed);
     group->polygons = work->unboxed;
     for (size_t box = 0; box < work->scene->box_count; box++)
-        if (has_bit(group->bits, box)) group->polygons += work->own[box];
+        if (boxes_shown(group->bits, box)) group->polygons += work->own[box];
     free(packed);
 }
 
@@ -111,23 +94,30 @@ static double volume_of_zone(const struct work *work, size_t zone)
     return volume > 0 ? volume : 0;
 }
 
-static int compare_volumes(const void *a, const void *b)
+struct zone_size {
+    size_t zone;
+    double volume;
+};
+
+static int compare_sizes(const void *a, const void *b)
 {
-    const double p = *(const double *)a, q = *(const double *)b;
-    return (p < q) - (p > q);
+    const struct zone_size *p = a, *q = b;
+    if (p->volume != q->volume) return p->volume < q->volume ? 1 : -1;
+    return (p->zone > q->zone) - (p->zone < q->zone);
 }
 
-/* Zones smaller than this are too many. */
-static double least_volume(const double *volumes, size_t count)
+/* All zones, the largest first. */
+static struct zone_size *zones_by_size(const struct work *work, double *all)
 {
-    double *sorted, least;
-    if (count <= PVS_MAX) return 0;
-    sorted = grow_zeroed(count, sizeof *sorted);
-    memcpy(sorted, volumes, count * sizeof *sorted);
-    qsort(sorted, count, sizeof *sorted, compare_volumes);
-    least = sorted[PVS_MAX];
-    free(sorted);
-    return least;
+    const size_t count = work->zones.count;
+    struct zone_size *sizes = grow_zeroed(count, sizeof *sizes);
+    *all = 0;
+    for (size_t z = 0; z < count; z++) {
+        sizes[z] = (struct zone_size){z, volume_of_zone(work, z)};
+        *all += sizes[z].volume;
+    }
+    qsort(sizes, count, sizeof *sizes, compare_sizes);
+    return sizes;
 }
 
 /* What is seen from a zone. One whose portals lead too far shows everything, which is always right; but there is
@@ -150,32 +140,33 @@ static bool zone_see(struct work *work, size_t zone, double part, bool *visible,
     group->volume = part;
     bits_set(work, visible, group->bits);
     group_weigh(work, group);
-    return true;
+    work->part_shown += part * (double)group->polygons / (double)work->cells.record_count;
+    return work->part_shown <= 1.0 - work->effort->hidden ||
+           error_set(err, "they would hide less than %.0f %% of the polygons", 100.0 * work->effort->hidden);
 }
 
 static bool groups_begin(struct work *work, struct error *err)
 {
     const size_t count = work->zones.count;
-    double *volumes = grow_zeroed(count, sizeof *volumes), all = 0;
+    double all;
+    struct zone_size *sizes = zones_by_size(work, &all);
     bool *visible = grow_zeroed(work->cells.record_count, sizeof *visible), ok = true;
-    for (size_t z = 0; z < count; z++)
-        all += volumes[z] = volume_of_zone(work, z);
-    const double least = least_volume(volumes, count);
-    for (size_t z = 0; ok && z < count; z++) {
-        work->groups[z].bits = grow_zeroed(work->bits_b, 1);
+    for (size_t z = 0; z < count; z++) {
+        work->groups[z].bits = grow_zeroed(work->boxes.bits_b, 1);
         work->group_of[z] = (uint32_t)z;
-        if (volumes[z] <= least) continue; /* nothing is known of it */
-        ok = deadline_check(err, "portals were still followed") && zone_see(work, z, volumes[z] / all, visible, err);
     }
-    free(volumes);
+    for (size_t i = 0; ok && i < count && i < PVS_MAX && sizes[i].volume > 0; i++) /* of others nothing is known */
+        ok = deadline_check(err, "portals were still followed") &&
+             zone_see(work, sizes[i].zone, sizes[i].volume / all, visible, err);
+    free(sizes);
     free(visible);
     return ok;
 }
 
 static struct group joined(const struct work *work, const struct group *a, const struct group *b)
 {
-    struct group both = {.bits = grow_zeroed(work->bits_b, 1), .volume = a->volume + b->volume};
-    for (size_t i = 0; i < work->bits_b; i++)
+    struct group both = {.bits = grow_zeroed(work->boxes.bits_b, 1), .volume = a->volume + b->volume};
+    for (size_t i = 0; i < work->boxes.bits_b; i++)
         both.bits[i] = a->bits[i] | b->bits[i];
     group_weigh(work, &both);
     return both;
@@ -259,13 +250,13 @@ static bool groups_pack(struct work *work, uint16_t *starts, struct pvs *out, st
     for (size_t g = 0; g < work->zones.count; g++)
         total_b += work->groups[g].volume > 0 ? work->groups[g].packed_b : 0;
     if (total_b >= LIM_NONE) return error_set(err, "its visible sets take %zu bytes, too many", total_b);
-    out->bytes = grow_zeroed(total_b + 2 * work->bits_b, 1);
+    out->bytes = grow_zeroed(total_b + 2 * work->boxes.bits_b, 1);
     for (size_t g = 0; g < work->zones.count; g++) {
         const struct group *group = &work->groups[g];
         starts[g] = LIM_NONE;
         if (group->volume <= 0) continue;
         starts[g] = (uint16_t)out->byte_count;
-        out->byte_count += pvs_pack(group->bits, work->bits_b, out->bytes + out->byte_count);
+        out->byte_count += pvs_pack(group->bits, work->boxes.bits_b, out->bytes + out->byte_count);
         out->mean_polygons += (double)group->polygons * group->volume;
         out->kept++;
     }
@@ -311,7 +302,7 @@ static bool has_leaves(const struct lim_scene *scene)
     return false;
 }
 
-static bool check(const struct lim_scene *scene, struct error *err)
+bool pvs_may_be(const struct lim_scene *scene, struct error *err)
 {
     if (has_leaves(scene)) return error_set(err, "they lead between cells of a BSP tree; this has none");
     return scene->box_count > 0 || error_set(err, "too few polygons for portals");
@@ -324,7 +315,7 @@ static bool find_in(struct work *work, double angle_rad, struct pvs *out, struct
     out->zones = work->zones.count;
     if (!work->zones.count)
         return error_set(err, "none of its cells is closed: there is nothing that portals could hide");
-    boxes_find(work);
+    boxes_count(work);
     work->groups = grow_zeroed(work->zones.count, sizeof *work->groups);
     work->group_of = grow_zeroed(work->zones.count, sizeof *work->group_of);
     flow_init(&work->flow, &work->cells, &work->zones, angle_rad);
@@ -339,14 +330,13 @@ bool pvs_find(const struct lim_scene *scene, double angle_rad, const struct pvs_
 {
     struct work work = {.scene = scene, .effort = effort, .work_left = effort->work};
     *out = (struct pvs){0};
-    if (!check(scene, err)) return false;
+    if (!pvs_may_be(scene, err)) return false;
     const bool ok = find_in(&work, angle_rad, out, err);
     for (size_t g = 0; work.groups && g < work.zones.count; g++)
         free(work.groups[g].bits);
     free(work.groups);
     free(work.group_of);
-    free(work.boxes);
-    free(work.above);
+    boxes_free(&work.boxes);
     free(work.own);
     flow_free(&work.flow);
     zones_free(&work.zones);

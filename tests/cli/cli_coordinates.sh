@@ -4,6 +4,7 @@
 # and all commands that take a scene take a long one.
 . tests/tap.sh
 . tests/part_of.sh
+. tests/scene_program.sh
 . tests/refused.sh
 . tests/long_scene.sh
 
@@ -135,11 +136,7 @@ int main(void)
     return hash == 2166136261u;
 }
 END
-    sources=$(ls firmware/*.c firmware/*/*.c)
-    # shellcheck disable=SC2086 # words are flags and files
-    ${CCACHE:-} "$CC" -std=c11 -O1 $WARNINGS -DLIM_CONFIG='"many.h"' -DEYE_X=1234.5 -DEYE_Y=-7.25 -DEYE_Z=-119999.75 -DYAW=30 \
-        -Ifirmware -I"$work" -c -o "$work/main.o" "$work/main.c" &&
-        "$CC" -std=c11 -O1 -DLIM_CONFIG='"many.h"' -Ifirmware -I"$work" -o "$work/main" "$work/main.o" "$work/many.c" $sources
+    scene_program "$work/main" -DLIM_CONFIG='"many.h"' -DEYE_X=1234.5 -DEYE_Y=-7.25 -DEYE_Z=-119999.75 -DYAW=30 "$work/main.c" "$work/many.c"
 }
 tap_check "a program compiles with the header's macros, without a warning" prepare_program
 
@@ -356,9 +353,7 @@ int main(void)
     return 0;
 }
 END
-    sources=$(ls firmware/*.c firmware/*/*.c)
-    # shellcheck disable=SC2086 # words are flags and files
-    "$CC" -std=c11 -O1 $WARNINGS -DLIM_CONFIG='"program.h"' -Ifirmware -I"$work" -o "$work/main" "$work/main.c" "$work/program.c" $sources &&
+    scene_program "$work/main" -DLIM_CONFIG='"program.h"' "$work/main.c" "$work/program.c" &&
         "$work/main" >"$work/of_program" && diff "$work/of_program" "$work/of_host"
 }
 tap_check "a program shows the host's texels" program_shows_the_same_texels textured

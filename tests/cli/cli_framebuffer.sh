@@ -3,6 +3,7 @@
 # A framebuffer: the same pictures as line by line, compiled for by nearest first or the painter's order, whichever the
 # scene is better drawn by, with the memory that is said; what is drawn by lines alone is refused.
 . tests/tap.sh
+. tests/scene_program.sh
 
 render() { "$BUILD/limner" render "$@" --size 97x61 >"$work/stats"; }
 
@@ -83,10 +84,8 @@ asks_for() { # SCENE OPTION...: bytes into $work/asked
     scene=$1
     shift
     rm -f "$work"/model*
-    # shellcheck disable=SC2086 # warnings are words
     "$BUILD/limner" compile "sim/scenes/$scene.obj" --size 128x64 -o "$work/model" "$@" >/dev/null &&
-        ${CC:-cc} -std=c11 $WARNINGS -Ifirmware -I"$work" -DLIM_CONFIG='"model.h"' -o "$work/asks" "$work/main.c" \
-            "$work"/model*.c firmware/*.c firmware/*/*.c && "$work/asks" >"$work/asked" && cat "$work/asked" &&
+        scene_program "$work/asks" -DLIM_CONFIG='"model.h"' "$work/main.c" "$work"/model*.c && "$work/asks" >"$work/asked" && cat "$work/asked" &&
         awk '{ exit $1 != $2 || $1 <= 0 }' "$work/asked"
 }
 as_said() { # SCENE OPTION [OPTION...]: by lines, and less in a picture, which the first option asks for

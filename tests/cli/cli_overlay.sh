@@ -4,6 +4,7 @@
 # every kind of scene; what a compiled scene's header says; and what is refused. How pictures with text come about from
 # those without is in tests/unit/sim/test_caption.c.
 . tests/tap.sh
+. tests/scene_program.sh
 
 golden=tests/golden/golden_overlay.expected
 
@@ -82,10 +83,8 @@ readme_draws() {
     grep -q 'lim_set_overlay(teapot_memory.lim, &overlay);' firmware/README.md &&
         grep -q 'lim_text_fixed(fps, frames_per_s_q8, 8, 1);' firmware/README.md || return 1
     for source in "$work/main.c" tests/example/main.c; do
-        # shellcheck disable=SC2086 # flags are words
-        $CC -std=c11 -O0 $WARNINGS -DLIM_CONFIG='"teapot.h"' -Ifirmware -Itests/example -Isim/targets -I"$work" -o "$work/program" \
-            "$source" tests/example/display_hash.c sim/targets/start_host.c "$work/teapot.c" firmware/*.c firmware/*/*.c &&
-            "$work/program" || return 1
+        scene_program "$work/program" -DLIM_CONFIG='"teapot.h"' -Itests/example -Isim/targets "$source" tests/example/display_hash.c \
+            sim/targets/start_host.c "$work/teapot.c" && "$work/program" || return 1
     done >"$work/frames"
     cat "$work/frames"
     [ "$(wc -l <"$work/frames")" -eq 6 ] && [ "$(sort -u "$work/frames" | wc -l)" -eq 6 ]

@@ -3,6 +3,7 @@
 # Every kind of tree draws the same scenes right, with as few wrong pixels as the BSP tree is allowed;
 # both orders of drawing agree on it.
 . tests/tap.sh
+. tests/scene_program.sh
 
 # scene method most-wrong-%: compared with the reference in double precision
 right() {
@@ -178,9 +179,7 @@ needs_no_band() { # WxH
     scans 'by scan lines' --method scanline --size "$1" -o "$work/model" &&
         "$BUILD/limner" render "$work/model.lim" --camera sim/scenes/teapot.cam --size "$1" \
             --write-cameras "$work/cameras.h" &&
-        # shellcheck disable=SC2086 # warnings are words
-        ${CC:-cc} -std=c11 $WARNINGS -Ifirmware -I"$work" -DLIM_CONFIG='"model.h"' -o "$work/bands" "$work/bands.c" \
-            "$work"/model*.c firmware/*.c firmware/*/*.c && "$work/bands"
+        scene_program "$work/bands" -DLIM_CONFIG='"model.h"' "$work/bands.c" "$work"/model*.c && "$work/bands"
 }
 for size in 32x32 64x32 128x64; do
     tap_check "at $size its own firmware needs no band for the same path" needs_no_band $size
