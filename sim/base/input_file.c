@@ -5,7 +5,7 @@
 
 #include "base/grow.h"
 #include "base/inputs.h"
-#include "base/open_file.h"
+#include "base/streams.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -65,8 +65,8 @@ FILE *input_open_stream(const char *path, struct error *err)
         if (fstat(STDIN_FILENO, &about) == 0) inputs_note_file(&about);
         return stdin;
     }
-    if (open_file_number(path) < 0) return input_open(path, SIZE_MAX, NULL, err);
-    int descriptor = open_file_again(path, O_RDONLY);
+    if (stream_number(path) < 0) return input_open(path, SIZE_MAX, NULL, err);
+    int descriptor = stream_open(path, O_RDONLY);
     if (descriptor < 0) error_set(err, "%s: %s", path, strerror(errno));
     if (descriptor >= 0 && (fstat(descriptor, &about) != 0 || !S_ISFIFO(about.st_mode)))
         descriptor = check(descriptor, path, SIZE_MAX, &about, err);

@@ -9,10 +9,10 @@
 #include "base/deadline.h"
 #include "base/progress.h"
 #include "cameras/sample.h"
-#include "compiler/portal_best.h"
 #include "core/core.h"
 #include "portals/pvs.h"
 #include "render/frame_cost.h"
+#include "render/portal_best.h"
 #include "render/simulator.h"
 #include "scene/lim_image.h"
 

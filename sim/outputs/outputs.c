@@ -8,7 +8,7 @@
 #include "base/ending.h"
 #include "base/grow.h"
 #include "base/inputs.h"
-#include "base/open_file.h"
+#include "base/streams.h"
 #include "outputs/output_run.h"
 #include "outputs/output_set.h"
 #include "outputs/written.h"
@@ -208,7 +208,7 @@ static int part_begin(struct outputs *outputs, const struct place *place, struct
 
 static int place_open(struct outputs *outputs, const struct place *place, struct error *err)
 {
-    if (place->as_it_is) return open_file_again(place->path, O_WRONLY);
+    if (place->as_it_is) return stream_open(place->path, O_WRONLY);
     ending_hold();
     const int descriptor = part_begin(outputs, place, err), reason = errno;
     ending_release();

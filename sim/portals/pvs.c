@@ -6,8 +6,8 @@
 
 #include "base/deadline.h"
 #include "base/grow.h"
-#include "portals/boxes.h"
 #include "portals/flow.h"
+#include "portals/set_boxes.h"
 
 #include <stdlib.h>
 #include <string.h>

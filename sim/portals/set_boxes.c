@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "portals/boxes.h"
+#include "portals/set_boxes.h"
 
 #include "base/grow.h"
 

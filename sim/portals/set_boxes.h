@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * The boxes of a scene's tree, which visible sets have a bit each of. */
-#ifndef SIM_BOXES_H
-#define SIM_BOXES_H
+#ifndef SIM_SET_BOXES_H
+#define SIM_SET_BOXES_H
 
 #include "scene.h"
 

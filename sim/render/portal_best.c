@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "compiler/portal_best.h"
+#include "render/portal_best.h"
 
 #include "base/grow.h"
 #include "portals/pvs.h"

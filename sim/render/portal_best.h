@@ -5,7 +5,7 @@
 #ifndef SIM_PORTAL_BEST_H
 #define SIM_PORTAL_BEST_H
 
-#include "portals/boxes.h"
+#include "portals/set_boxes.h"
 #include "render/ids.h"
 
 struct portal_best {
