@@ -13,7 +13,7 @@
 double mesh_order_share(const struct core *core, double wrong_percent);
 
 /* Gives depth to as few triangles of a mesh for LIM_MESH_DEPTH as leave less than `share` of the pixels of sampled
- * pictures with a wrong order, and puts them last. Out of time: as far as it came. */
+ * pictures with a wrong order, and puts them last; to all, where most need it or no few do. Out of time: likewise. */
 bool mesh_order_settle(struct compiled *scene, const struct core *core, double share, struct error *err);
 
 #endif
