@@ -138,9 +138,9 @@ struct lim_mesh_line {
 
 /* A line of depths. */
 struct lim_mesh_depths {
-    uint16_t *line; /* the nearness that is painted, of what has depth */
-    uint16_t y;     /* whose line it is; LIM_NONE: of none */
-    lim_index from; /* triangles from this one on have depth */
+    uint32_t *line_q16; /* the nearness that is painted, of what has depth */
+    uint16_t y;         /* whose line it is; LIM_NONE: of none */
+    lim_index from;     /* triangles from this one on have depth */
 };
 
 /* Triangles that cross the line, and have no room in the pool: from far to near, linked by their numbers. */
@@ -177,7 +177,7 @@ struct lim_mesh {
                       (vertex_count) * (sizeof(struct lim_point) + sizeof(uint16_t)) +                                 \
                       (LIM_CAST(size_t, triangle_count) + (h_px)) * sizeof(lim_index))
 /* Beside LIM_MESH_MEM_B(), with a line of depths. */
-#define LIM_MESH_DEPTH_MEM_B(w_px) LIM_MEM_ALIGNED_B((w_px) * sizeof(uint16_t))
+#define LIM_MESH_DEPTH_MEM_B(w_px) LIM_MEM_ALIGNED_B((w_px) * sizeof(uint32_t))
 
 LIM_OPTIONAL_END
 

@@ -138,6 +138,12 @@ LIM_RARE void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struc
     set_depth(active, &a, &b, &c, y);
 }
 
+LIM_RARE void lim_mesh_depths_clear(struct lim_mesh *mesh, uint16_t y)
+{
+    mesh->depths->y = y;
+    lim_fill_pairs(mesh->depths->line_q16, mesh->pass->target.w_px, 0);
+}
+
 void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y)
 {
     take_depth(active, y);
@@ -153,7 +159,7 @@ void lim_mesh_depth_replace(struct lim_mesh_active *active)
 static LIM_INLINE void paint_deep(struct lim_mesh *mesh, const struct lim_mesh_line *line,
                                   struct lim_mesh_active *active, int32_t x0, int32_t x1)
 {
-    lim_mesh_depth_fill(line->pixels, lim_mesh_depths(mesh, line->y), active, active->depth->at_q16, x0, x1);
+    lim_mesh_depth_fill(line->pixels, lim_mesh_depths_q16(mesh, line->y), active, active->depth->at_q16, x0, x1);
 }
 
 void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,

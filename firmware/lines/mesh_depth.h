@@ -27,19 +27,19 @@ void lim_mesh_depth_paint(struct lim_mesh *mesh, const struct lim_mesh_line *lin
 void lim_mesh_depth_paint_part(struct lim_mesh *mesh, const struct lim_mesh_line *line, struct lim_mesh_active *active,
                                int32_t left, int32_t right);
 
-/* The line of depths, which is cleared where it is wanted first. */
-static inline uint16_t *lim_mesh_depths(struct lim_mesh *mesh, uint16_t y)
-{
-    struct lim_mesh_depths *const depths = mesh->depths;
+/* Makes it that of line y, on which there is nothing yet. */
+void lim_mesh_depths_clear(struct lim_mesh *mesh, uint16_t y);
 
-    if (depths->y != y) lim_fill_line(depths->line, mesh->pass->target.w_px, 0);
-    depths->y = y;
-    return depths->line;
+/* The line of depths, which is cleared where it is wanted first. */
+static inline uint32_t *lim_mesh_depths_q16(struct lim_mesh *mesh, uint16_t y)
+{
+    if (LIM_UNLIKELY(mesh->depths->y != y)) lim_mesh_depths_clear(mesh, y);
+    return mesh->depths->line_q16;
 }
 
 /* Pixels x0 <= x < x1, one at least, of one colour, of a line whose first has a nearness. Indices run from -n up to 0,
  * so that one number leads to both lines. */
-static LIM_INLINE void lim_mesh_depth_fill(uint16_t *pixels, uint16_t *depths, const struct lim_mesh_active *active,
+static LIM_INLINE void lim_mesh_depth_fill(uint16_t *pixels, uint32_t *depths_q16, const struct lim_mesh_active *active,
                                            uint32_t at_q16, int32_t x0, int32_t x1)
 {
     const uint32_t step_q16 = active->depth->x_q16;
@@ -48,11 +48,10 @@ static LIM_INLINE void lim_mesh_depth_fill(uint16_t *pixels, uint16_t *depths, c
 
     at_q16 += (uint32_t)x0 * step_q16;
     pixels += x1;
-    depths += x1;
+    depths_q16 += x1;
     do {
-        const uint32_t nearness = at_q16 >> 16;
-        if (nearness > depths[at]) {
-            depths[at] = (uint16_t)nearness;
+        if (at_q16 > depths_q16[at]) {
+            depths_q16[at] = at_q16;
             pixels[at] = colour;
         }
         at_q16 += step_q16;

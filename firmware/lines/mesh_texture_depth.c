@@ -9,7 +9,8 @@
 
 /* A line of something that has depth. */
 struct deep_line {
-    uint16_t *pixels, *depths;
+    uint16_t *pixels;
+    uint32_t *depths_q16;
     uint32_t at_q16, step_q16; /* nearness of its first pixel, and what one to the right adds */
 };
 
@@ -17,7 +18,7 @@ static LIM_INLINE struct deep_line deep_line(const struct lim_mesh_active *activ
 {
     const struct lim_mesh_depth *const depth = active->depth;
 
-    return (struct deep_line){line->pixels, lim_mesh_depths(depth->mesh, line->y),
+    return (struct deep_line){line->pixels, lim_mesh_depths_q16(depth->mesh, line->y),
                               depth->at_q16 + depth->y_q16 * line->y, depth->x_q16};
 }
 
@@ -27,20 +28,21 @@ static LIM_INLINE void mesh_fill_texels(const struct deep_line *line, int32_t x0
                                         const struct lim_texture_level *level, lim_texels_painter *paint)
 {
     uint32_t at_q16 = line->at_q16 + line->step_q16 * (uint32_t)x0;
-    uint16_t *const pixels = line->pixels + x1, *const depths = line->depths + x1;
+    uint16_t *const pixels = line->pixels + x1;
+    uint32_t *const depths_q16 = line->depths_q16 + x1;
     int32_t at = x0 - x1;
 
     do {
-        while (at_q16 >> 16 <= depths[at]) {
+        while (at_q16 <= depths_q16[at]) {
             at_q16 += line->step_q16;
             place += level->step;
             if (++at == 0) return;
         }
         const int32_t from = at;
         do {
-            depths[at] = (uint16_t)(at_q16 >> 16);
+            depths_q16[at] = at_q16;
             at_q16 += line->step_q16;
-        } while (++at < 0 && at_q16 >> 16 > depths[at]);
+        } while (++at < 0 && at_q16 > depths_q16[at]);
         paint(pixels + at, (uint_fast16_t)(at - from), place, level);
         place += level->step * (uint32_t)(at - from);
     } while (at < 0);
@@ -78,7 +80,7 @@ static LIM_RARE bool show_deep_other(struct lim_mesh_active *active, const struc
     if (*w_bits < LIM_MESH_LEVELS) return false;
     const struct deep_line line = deep_line(active, run->line);
     if (*w_bits == LIM_MESH_COLOUR) {
-        lim_mesh_depth_fill(line.pixels, line.depths, active, line.at_q16, run->x0, run->x1);
+        lim_mesh_depth_fill(line.pixels, line.depths_q16, active, line.at_q16, run->x0, run->x1);
         return true;
     }
     const struct lim_textured_span span = lim_mesh_span(mesh, run, lim_mesh_texture_gradients(mesh, active, &made));

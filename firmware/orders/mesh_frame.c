@@ -46,7 +46,7 @@ static LIM_IF_CALLED void cut_depths(struct lim_mesh *mesh, uint8_t **at)
     const struct lim_pass *pass = mesh->pass;
     const bool is_deep = LIM_IS_MESH_DEPTH(&pass->target);
 
-    mesh->depths->line = is_deep ? lim_mem_cut(at, LIM_MESH_DEPTH_MEM_B(pass->target.w_px)) : NULL;
+    mesh->depths->line_q16 = is_deep ? lim_mem_cut(at, LIM_MESH_DEPTH_MEM_B(pass->target.w_px)) : NULL;
     mesh->depths->from = LIM_NO_INDEX;
 }
 

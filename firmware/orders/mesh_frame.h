@@ -6,7 +6,7 @@
  * nearness for each vertex and a link for each triangle; a pool of triangles that cross a line may be short.
  *
  * By distance is wrong where a triangle reaches behind another whose middle is farther, as large ones do; depths are
- * wrong within what 16 bits of nearness tell apart. Neither is exact in order; edges are, as everywhere. */
+ * wrong within what 16 bits of nearness at corners tell apart. Neither is exact in order; edges are, as everywhere. */
 #ifndef LIM_MESH_FRAME_H
 #define LIM_MESH_FRAME_H
 

@@ -120,7 +120,7 @@ static size_t mesh_active_b(const struct compiled *scene)
 static size_t mesh_b(const struct compiled *scene, size_t active)
 {
     const size_t point_b = is_wide(&scene->report) ? MCU_CELL_WIDE_B : MCU_CELL_B;
-    const size_t depth_b = scene->report.draws == LIM_MESH_DEPTH ? MCU_MESH_NEARNESS_B * scene->report.w_px : 0;
+    const size_t depth_b = scene->report.draws == LIM_MESH_DEPTH ? MCU_MESH_DEPTH_B * scene->report.w_px : 0;
     return aligned_b(active * mesh_active_b(scene) + scene->scene.vertex_count * (point_b + MCU_MESH_NEARNESS_B) +
                      (scene->scene.polygon_count + scene->report.h_px) * width_word_b(width_is_wide(&scene->scene))) +
            aligned_b(depth_b);

@@ -33,7 +33,8 @@ enum {
     MCU_CROSSING_TEXTURE_B = 88,
     MCU_CROSSING_LONG_EDGES_B = 32, /* more of them in profile exact */
     MCU_CROSSING_B = 40,            /* and a point for each vertex */
-    MCU_MESH_NEARNESS_B = 2,        /* of a vertex, and of a pixel of a line of depths */
+    MCU_MESH_NEARNESS_B = 2,        /* of a vertex */
+    MCU_MESH_DEPTH_B = 4,           /* of a pixel of a line of depths */
     MCU_MESH_LEAST_ACTIVE = 7,
     MCU_MESH_ENTRY_B = 6, /* a polygon of a mesh leaf */
     MCU_MESH_ENTRY_WIDE_B = 8,

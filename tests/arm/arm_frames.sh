@@ -5,9 +5,18 @@
 # (Suite `cpus` has the other processors and another scene.)
 . tests/tap.sh
 . tests/frames_on.sh
+. tests/part_of.sh
 
-frames_firmware='firmware/*.c firmware/*/*.c' # file by file, as users build
-frames_on sim/scenes/rooms 96x64 microbit m4 m4:-Os
+scene=sim/scenes/rooms size=96x64
+# shellcheck disable=SC2086 # a list
+by_file=" $(part_of 4 $PROFILES | tr '\n' ' ')" # one profile, file by file, as users build; the others: tests/part_of.sh
+for profile in $PROFILES; do
+    case $by_file in
+    *" $profile "*) frames_firmware='firmware/*.c firmware/*/*.c' ;;
+    *) frames_firmware=$(one_file) ;;
+    esac
+    frames_of "$profile" microbit m4 m4:-Os
+done
 frames_firmware=$(one_file)
 cp sim/scenes/icosahedron.obj "$work/solid.obj"
 cp sim/scenes/teapot.cam "$work/solid.cam"

@@ -12,7 +12,7 @@ export EXTREMES_PICTURES="$work/pictures"
 mkdir "$EXTREMES_PICTURES"
 case ${EXTREMES:-} in
 write | whole) compared=cat ;;
-*) compared=promises TEST_EFFORT=${TEST_EFFORT:-10} && export TEST_EFFORT ;;
+*) compared=promises TEST_EFFORT=10 && export TEST_EFFORT ;;
 esac
 
 # The page without what was measured.

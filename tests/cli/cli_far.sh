@@ -75,8 +75,8 @@ cameras() { # FILE SCALE X Y Z: a few, evenly
 draw() { # MODEL CAMERAS IDS OPTION...
     draw_model=$1 draw_cameras=$2 draw_ids=$3
     shift 3
-    "$limner" render "$draw_model" --up y --camera "$draw_cameras" --precision exact --size $size --ids "$draw_ids" --compare \
-        "$@" >said 2>notes || { cat notes; return 1; }
+    "$limner" render "$draw_model" --up y --camera "$draw_cameras" --method bsp --portals off --precision exact --size $size \
+        --ids "$draw_ids" --compare "$@" >said 2>notes || { cat notes; return 1; }
     tail -n 1 said
 }
 

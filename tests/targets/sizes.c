@@ -55,6 +55,7 @@ _Static_assert(MCU_MESH_ACTIVE_B(HAS_LONG_EDGES, LIM_HAS_WIDE, LIM_HAS_MESH_DEPT
                "triangle that crosses a line");
 _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(struct lim_point), "point of a mesh");
 _Static_assert(MCU_MESH_NEARNESS_B == sizeof *((struct lim_mesh *)0)->nearness, "nearness of a vertex");
+_Static_assert(MCU_MESH_DEPTH_B == sizeof *((struct lim_mesh_depths *)0)->line_q16, "pixel of a line of depths");
 _Static_assert((int)MCU_MESH_LEAST_ACTIVE == MESH_FAN + 1, "least pool of a mesh");
 #endif
 
