@@ -29,7 +29,6 @@ static bool method_is_linked(enum lim_method method)
 
 static size_t asked_b(const struct lim_scene *scene, const struct lim_target *target, bool least)
 {
-    LIM_ASSERT(scene && target);
     if (LIM_IS_MESH(target)) return lim_mesh_mem_b(scene, target, least);
     if (LIM_IS_CONVEX(target)) return lim_convex_mem_b(scene, target, least ? 0 : scene->limits.active);
     if (LIM_IS_PAINTER(target)) return lim_painter_mem_b(scene);
@@ -38,11 +37,13 @@ static size_t asked_b(const struct lim_scene *scene, const struct lim_target *ta
 
 size_t lim_mem_min_b(const struct lim_scene *scene, const struct lim_target *target)
 {
+    LIM_ASSERT(scene && target);
     return asked_b(scene, target, true);
 }
 
 size_t lim_mem_b(const struct lim_scene *scene, const struct lim_target *target)
 {
+    LIM_ASSERT(scene && target);
     return asked_b(scene, target, false);
 }
 

@@ -19,7 +19,7 @@ enum lim_paint_pool {
 /* Where painting a band has ended, and which pool is too small for the line there. */
 struct lim_paint_stop {
     uint16_t y;
-    enum lim_paint_pool exhausted;
+    uint_fast8_t exhausted; /* enum lim_paint_pool */
 };
 
 static inline int lim_paint_stops(struct lim_paint_stop *stop, enum lim_paint_pool exhausted)

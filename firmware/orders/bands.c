@@ -38,16 +38,16 @@ static void bands_begin(struct bands *bands, const struct lim_target *target)
 static void halve(struct bands *bands)
 {
     struct lim_rect *band = &bands->band;
-    const uint16_t lines = (uint16_t)(band->y1 - band->y0), pixels = (uint16_t)(band->x1 - band->x0);
+    uint16_t h_px = (uint16_t)(band->y1 - band->y0), w_px = (uint16_t)(band->x1 - band->x0);
 
-    bands->w_px = pixels;
-    bands->h_px = lines;
-    if (lines > 1)
-        bands->h_px /= 2;
-    else if (pixels > 1)
-        bands->w_px /= 2;
-    band->x1 = (uint16_t)(band->x0 + bands->w_px);
-    band->y1 = (uint16_t)(band->y0 + bands->h_px);
+    if (h_px > 1)
+        h_px /= 2;
+    else if (w_px > 1)
+        w_px /= 2;
+    bands->w_px = w_px;
+    bands->h_px = h_px;
+    band->x1 = (uint16_t)(band->x0 + w_px);
+    band->y1 = (uint16_t)(band->y0 + h_px);
     bands->grows = false;
 }
 
@@ -271,7 +271,7 @@ int lim_nearest_frame(struct lim_nearest *nearest, enum lim_ahead_stage stage)
                 lim_room_keep(nearest))
                 count_band(nearest);
             else
-                err = paint_less(nearest, &bands, stop.exhausted);
+                err = paint_less(nearest, &bands, (enum lim_paint_pool)stop.exhausted);
         } else {
             follow(&bands, &nearest->pass->target);
         }
