@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NODES_MAX = 16384, OPENINGS_MAX = 100000 };
+enum { OPENINGS_MAX = 100000 };
 /* With any other flag, one may see through a polygon. */
 enum { KNOWN_FLAGS = LIM_POLYGON_COUNT | LIM_POLYGON_LAST | LIM_POLYGON_EDGES | LIM_POLYGON_TEXTURE };
 
@@ -423,9 +423,6 @@ static void touches_find(struct cells *cells)
 bool cells_find(const struct lim_scene *scene, struct cells *out, struct error *err)
 {
     *out = (struct cells){.scene = scene, .count = 2 * (size_t)scene->node_count};
-    if (scene->node_count > NODES_MAX)
-        return error_set(err, "too many nodes for portals: %u, %d are the most", (unsigned)scene->node_count,
-                         NODES_MAX);
     out->planes = grow_zeroed(scene->node_count, sizeof *out->planes);
     out->parents = grow_zeroed(scene->node_count, sizeof *out->parents);
     out->items = grow_zeroed(out->count, sizeof *out->items);

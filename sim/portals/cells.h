@@ -63,7 +63,7 @@ struct cells {
 /* Polygons so close to a cell are as good as in it: more than rounding can move anything. */
 #define CELLS_MARGIN_UNITS 4.0
 
-/* Refuses a scene whose cells or openings are too many to be looked at. */
+/* Refuses a scene whose openings are too many to be looked at. Of a scene that pvs_may_be(). */
 bool cells_find(const struct lim_scene *scene, struct cells *out, struct error *err);
 void cells_free(struct cells *cells);
 

@@ -12,7 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PVS_MAX = 512, BYTES_A_POLYGON = 32 };
+/* The renderer numbers cells, two a node, in 16 bits. */
+enum { NODES_MAX = 16384, PVS_MAX = 512, BYTES_A_POLYGON = 32 };
 
 /* A zone of rooms takes 60 thousand at most, one of Freedoom's maps 2.2 million, and a map 16 million. */
 const struct pvs_effort pvs_usual_effort = {.zone_work = 3000000, .work = 20000000, .given_up = 0.25, .hidden = 0.03};
@@ -305,6 +306,9 @@ static bool has_leaves(const struct lim_scene *scene)
 bool pvs_may_be(const struct lim_scene *scene, struct error *err)
 {
     if (has_leaves(scene)) return error_set(err, "they lead between cells of a BSP tree; this has none");
+    if (scene->node_count > NODES_MAX)
+        return error_set(err, "too many nodes for portals: %u, %d are the most", (unsigned)scene->node_count,
+                         NODES_MAX);
     return scene->box_count > 0 || error_set(err, "too few polygons for portals");
 }
 

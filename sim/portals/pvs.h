@@ -34,7 +34,7 @@ bool pvs_find(const struct lim_scene *scene, double angle_rad, const struct pvs_
               struct error *err);
 void pvs_free(struct pvs *pvs);
 
-/* Whether it is a scene that pvs_find() takes; this is asked in no time. */
+/* Whether it is a scene that pvs_find() may take, and that the renderer can draw with places: asked in no time. */
 bool pvs_may_be(const struct lim_scene *scene, struct error *err);
 
 /* Packs count bytes; `out` has room for twice as many. Returns how many it takes. */

@@ -18,7 +18,7 @@ struct portal_best {
     uint8_t *bits, *packed;   /* the set */
 };
 
-/* The scene must outlive it, and *best stay where it is. */
+/* Of a scene that pvs_may_be(). It must outlive this, and *best stay where it is. */
 bool portal_best_init(struct portal_best *best, const struct compiled *scene, const struct simulator_setup *setup,
                       struct error *err);
 

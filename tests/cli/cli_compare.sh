@@ -31,7 +31,7 @@ refuses() {
 }
 
 # The methods that the program has, from its own mouth.
-"$BUILD/limner" render none.obj --method none 2>&1 | sed 's/.*there are //; s/,//g' | tr ' ' '\n' >"$work/methods"
+"$BUILD/limner" render none.obj --method none 2>&1 | sed 's/.*there are //; s/,//g; s/ and / /' | tr ' ' '\n' >"$work/methods"
 
 has_a_row_for_each() {
     compare knot --no-cost -o "$work/knot" >"$work/table" && cat "$work/table" "$work/methods" || return 1

@@ -230,7 +230,7 @@ tap_check "no cost is predicted of what the prediction does not know" unpredicte
 
 refused() {
     "$BUILD/limner" compile sim/scenes/icosahedron.obj --tree z --report >"$work/out" 2>&1 && return 1
-    grep -q '^limner: --tree z: no such tree; there are auto, bsp, clusters, axis, octree, none, mesh$' "$work/out"
+    grep -q '^limner: --tree z: no such tree; there are auto, bsp, clusters, axis, octree, none and mesh$' "$work/out"
 }
 tap_check "an unknown tree is refused" refused
 tap_done
