@@ -141,7 +141,7 @@ LIM_RARE void lim_mesh_depth_clipped(struct lim_mesh_active *active, const struc
 LIM_RARE void lim_mesh_depths_clear(struct lim_mesh *mesh, uint16_t y)
 {
     mesh->depths->y = y;
-    lim_fill_pairs(mesh->depths->line_q16, mesh->pass->target.w_px, 0);
+    lim_fill_pairs((lim_pixel_pair *)mesh->depths->line_q16, mesh->pass->target.w_px, 0);
 }
 
 void lim_mesh_depth_go_on(struct lim_mesh_active *active, uint16_t y)
