@@ -24,7 +24,7 @@ struct lim_paint_stop {
 
 static inline int lim_paint_stops(struct lim_paint_stop *stop, enum lim_paint_pool exhausted)
 {
-    stop->exhausted = exhausted;
+    stop->exhausted = (uint_fast8_t)exhausted;
     return 0;
 }
 

@@ -87,7 +87,7 @@ static bool took_idle_memory(struct lim_nearest *nearest)
 static int paint_band(struct lim_nearest *nearest, const struct lim_rect *band, bool is_collected,
                       struct lim_paint_stop *stop)
 {
-    *stop = (struct lim_paint_stop){band->y0, is_collected ? LIM_PAINT_FITS : LIM_PAINT_ACTIVE};
+    *stop = (struct lim_paint_stop){band->y0, (uint_fast8_t)(is_collected ? LIM_PAINT_FITS : LIM_PAINT_ACTIVE)};
     if (!is_collected) return 0;
     const int err = lim_paint_band(&nearest->paint, &nearest->spans, &nearest->retained, band, stop);
     if (took_idle_memory(nearest)) lim_view_forget(&nearest->pass->view);
