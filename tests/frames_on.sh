@@ -17,6 +17,7 @@ frames_compile=     # of what reads the model alone: --mesh-leaves all
 frames_path=        # of render alone: --fps 3
 frames_flags=       # of the target's compiler
 frames_every=8      # camera of the file
+frames_mem_b=8192   # of the renderer, where RAM is scarce
 frames_suffix=obj
 frames_firmware=$(one_file) # what it compiles of firmware/
 
@@ -44,8 +45,7 @@ frames_agree() { # PROFILE CORE[:FLAG]
     frames_dir=$kept/$1 frames_core=${2%%:*} frames_flag=${2#"${2%%:*}"}
     set -- ${frames_flag:+"${frames_flag#:}"}
     case $frames_core in
-    microbit) set -- -DSCENE_MEM_B=8192 "$@" ;;
-    avr) set -- -DSCENE_MEM_B=8448 "$@" ;; # a teapot by depth takes no less in exact
+    microbit | avr) set -- -DSCENE_MEM_B=$frames_mem_b "$@" ;;
     esac
     # shellcheck disable=SC2086 # flags are words
     target_link "$frames_core" "$work/image" "$@" $frames_flags -I"$frames_dir" -DLIM_CONFIG='"model.h"' \

@@ -547,6 +547,20 @@ static void what_has_no_closed_cells_is_refused(void **state)
     room_scene_free(&rooms);
 }
 
+/* The renderer numbers cells, two a node, in 16 bits: told before anything is drawn with places. */
+static void too_many_nodes_are_refused(void **state)
+{
+    static struct lim_node nodes[16385];
+    struct lim_scene scene = {.nodes = nodes, .node_count = 16384, .box_count = 1};
+    struct error err;
+
+    (void)state;
+    assert_true(pvs_may_be(&scene, &err));
+    scene.node_count++;
+    assert_false(pvs_may_be(&scene, &err));
+    assert_non_null(strstr(err.text, "too many nodes for portals: 16385, 16384 are the most"));
+}
+
 /* Left to itself the compiler leaves out what does not pay, and the scene is as it would be without. */
 static void what_does_not_pay_is_left_out(void **state)
 {
@@ -583,6 +597,7 @@ int main(void)
         cmocka_unit_test(damaged_places_and_pvs_are_refused),
         cmocka_unit_test(a_file_keeps_places_and_pvs),
         cmocka_unit_test(what_has_no_closed_cells_is_refused),
+        cmocka_unit_test(too_many_nodes_are_refused),
         cmocka_unit_test(what_does_not_pay_is_left_out),
     };
 
