@@ -447,6 +447,13 @@
 #define LIM_RARE
 #endif
 
+/* LIM_INLINE of much arithmetic by 32 bits, which takes kilobytes a call where registers have 8. */
+#if LIM_8_BIT
+#define LIM_INLINE_32 LIM_ALONE
+#else
+#define LIM_INLINE_32 LIM_INLINE
+#endif
+
 /* Before a loop of n turns, which are written out. */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
 #define LIM_PRAGMA(words) _Pragma(#words)
