@@ -3,9 +3,9 @@
  * The renderer draws the triangles' numbers from sampled cameras. A depth buffer in double precision, of the same
  * triangles, says which is nearest at each pixel. Where another was painted that is farther there, the two are a
  * conflict, which is right when both have depth. Triangles get it, those first that put most pixels right, until few
- * enough pixels are left. Then all is drawn again, as what has depth meets what has none in other ways; where that does
- * not end, or most need depth, all get it. Views in which the renderer may have to clip are counted apart. Pixels near
- * the nearest one's edges are not looked at: there rounding decides who paints. */
+ * enough pixels are left. Then all is drawn again, as what has depth meets what has none in other ways; where many need
+ * depth in all views, all get it. Views in which the renderer may have to clip are counted apart. Pixels near the
+ * nearest one's edges are not looked at: there rounding decides who paints. */
 #include "compiler/mesh_order.h"
 
 #include "base/deadline.h"
@@ -25,7 +25,7 @@ enum { CAMERAS_MAX = 192, CAMERAS_MIN = 24, TRIANGLES_DRAWN = 1500000 }; /* of m
 static const double MARGIN_PX = 0.1;                                     /* what rounding moves an edge by, and more */
 static const double TOLERANCE_UNITS = 1;   /* what is so little farther is no nearer either */
 static const double ENOUGH_OF_SHARE = 0.5; /* what a round leaves of it, of what it has seen */
-static const double MOST_DEEP = 0.5;       /* of the triangles: where more need depth, all get it */
+static const double MANY_DEEP = 0.25;      /* of the triangles: where more need it in all views, all get it */
 static const double SHARE = 0.35;          /* of the wrong pixels that a profile may have, most are of edges */
 static const double NEAR_SHARE = 0.15;     /* of that: views from near by differ more from each other */
 
@@ -417,14 +417,14 @@ static bool take_flags(struct ordering *work, const struct simulator_setup *setu
     return ids_init(&work->ids, work->scene, setup, err);
 }
 
-/* Where most triangles have depth, those that have none do harm: in a heap each view shows other conflicts. */
+/* Where many triangles have depth, those that have none do harm: in a heap each view shows other conflicts. */
 static bool needs_all(const struct ordering *work)
 {
     const size_t triangles = work->scene->scene.polygon_count;
     size_t deep = 0;
     for (size_t i = 0; i < triangles; i++)
-        deep += work->deep[i] != LIM_DEEP_NEVER;
-    return (double)deep > MOST_DEEP * (double)triangles;
+        deep += work->deep[i] == LIM_DEEP_ALWAYS;
+    return (double)deep > MANY_DEEP * (double)triangles;
 }
 
 static bool settle(struct ordering *work, const struct simulator_setup *setup, double share, struct error *err)
@@ -436,7 +436,7 @@ static bool settle(struct ordering *work, const struct simulator_setup *setup, d
         is_settled = !whole && !near;
         if (!is_settled && !take_flags(work, setup, err)) return false;
     }
-    if (is_settled && !needs_all(work)) return true;
+    if (!needs_all(work)) return true;
     memset(work->deep, LIM_DEEP_ALWAYS, work->scene->scene.polygon_count);
     return take_flags(work, setup, err);
 }
