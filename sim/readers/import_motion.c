@@ -222,8 +222,11 @@ static void tell_nodes(struct motions *work)
          "are animated and move skins: these are drawn at rest");
     tell(work->model, &bare, "is animated, but has no mesh, nor anything below it: nothing moves",
          "are animated, but have no mesh, nor anything below them: nothing moves");
-    tell(work->model, &twice, "is moved by several animations: the first one counts",
-         "are moved by several animations: the first one counts");
+    tell(work->model, &twice,
+         "is moved by several animations: the first that moves it is drawn, or that named after it; a file with one "
+         "helps: of Blender's FBX without All Actions and NLA Strips",
+         "are moved by several animations: the first that moves each is drawn, or that named after it; a file with one "
+         "helps: of Blender's FBX without All Actions and NLA Strips");
     tell_channels(work->model, &work->nodes);
 }
 

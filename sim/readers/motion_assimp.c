@@ -46,7 +46,7 @@ static struct track turn_track(const struct aiQuatKey *keys, unsigned count, dou
     return track;
 }
 
-static bool add_channel(struct reading *work, const struct aiNodeAnim *anim, double ticks_per_s)
+static bool add_channel(struct reading *work, const struct aiNodeAnim *anim, double ticks_per_s, const char *name)
 {
     size_t namesakes = 0;
     const struct aiNode *node = find_node(work->scene->mRootNode, anim->mNodeName.data, &namesakes);
@@ -67,7 +67,7 @@ static bool add_channel(struct reading *work, const struct aiNodeAnim *anim, dou
     bool ok = true;
     for (int part = 0; part < PART_COUNT; part++) {
         ok &= track_is_sound(&tracks[part]);
-        node_motion_take(work->out, motion, (enum node_part)part, &tracks[part]);
+        node_motion_take(work->out, motion, (enum node_part)part, &tracks[part], name);
     }
     return ok || error_set(work->err,
                            "%s: node '%s': its animation has a key that is no number, or times that do not ascend from "
@@ -80,7 +80,8 @@ static bool add_animation(struct reading *work, const struct aiAnimation *animat
     const double ticks_per_s = animation->mTicksPerSecond > 0 ? animation->mTicksPerSecond : 25.0;
     work->out->morph_weights += animation->mNumMorphMeshChannels;
     for (unsigned i = 0; i < animation->mNumChannels; i++)
-        if (!add_channel(work, animation->mChannels[i], ticks_per_s)) return false;
+        if (!add_channel(work, animation->mChannels[i], ticks_per_s, animation->mName.data)) return false;
+    node_motions_settle(work->out);
     return true;
 }
 

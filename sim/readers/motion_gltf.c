@@ -118,7 +118,8 @@ static bool add_channel(struct reading *work, const json_t *animation, const jso
     const bool is_new = !node_motions_of(work->out, node);
     struct node_motion *motion = node_motions_make(work->out, node);
     if (is_new) set_own(motion, gltf_element(work->file, "nodes", number), work->transforms);
-    node_motion_take(work->out, motion, (enum node_part)part, &track);
+    node_motion_take(work->out, motion, (enum node_part)part, &track,
+                     json_string_value(json_object_get(animation, "name")));
     return true;
 }
 
@@ -133,6 +134,7 @@ static bool add_animations(struct reading *work)
         {
             if (!add_channel(work, animation, channel)) return false;
         }
+        node_motions_settle(work->out);
     }
     return true;
 }

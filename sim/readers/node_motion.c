@@ -31,8 +31,10 @@ struct node_motion *node_motions_make(struct node_motions *motions, const struct
 void node_motions_free(struct node_motions *motions)
 {
     for (size_t i = 0; i < motions->count; i++)
-        for (int part = 0; part < PART_COUNT; part++)
+        for (int part = 0; part < PART_COUNT; part++) {
             track_free(&motions->items[i].tracks[part]);
+            track_free(&motions->items[i].others[part]);
+        }
     free(motions->items);
     map_free(&motions->places);
     *motions = (struct node_motions){0};
@@ -45,11 +47,21 @@ static bool agree(const struct track *a, const struct track *b)
            memcmp(track_key(a, 0), track_key(b, 0), a->width * sizeof *a->values) == 0;
 }
 
-void node_motion_take(struct node_motions *motions, struct node_motion *motion, enum node_part part,
-                      struct track *track)
+/* Blender's FBX has an animation for each object and each action: of an object's those that others have given it are
+ * there, too. Its own is "Name|NameAction". */
+static bool is_named_after(const char *animation, const struct aiNode *node)
 {
-    struct track *had = &motion->tracks[part];
+    const size_t length = strlen(node->mName.data);
+    return animation && length && strncmp(animation, node->mName.data, length) == 0 && animation[length] == '|' &&
+           strncmp(animation + length + 1, node->mName.data, length) == 0;
+}
+
+void node_motion_take(struct node_motions *motions, struct node_motion *motion, enum node_part part,
+                      struct track *track, const char *animation)
+{
+    struct track *had = &motion->others[part];
     if (track->count) motions->end_s = fmax(motions->end_s, track->times_s[track->count - 1]);
+    motion->others_are_own = is_named_after(animation, motion->node);
     if (had->count && track->count) motion->is_twice |= !agree(had, track);
     if (!had->count || (!track_changes(had, 0) && track_changes(track, 0))) {
         const struct track first = *had;
@@ -57,6 +69,54 @@ void node_motion_take(struct node_motions *motions, struct node_motion *motion, 
         *track = first;
     }
     track_free(track);
+}
+
+static bool tracks_move(const struct track tracks[PART_COUNT])
+{
+    bool moves = false;
+    for (int part = 0; part < PART_COUNT; part++)
+        moves |= tracks[part].count && track_changes(&tracks[part], 0);
+    return moves;
+}
+
+/* What only one of two animations says anything of is the other's as well. */
+static bool take_beside(struct node_motion *motion)
+{
+    for (int part = 0; part < PART_COUNT; part++)
+        if (motion->tracks[part].count && motion->others[part].count) return false;
+    motion->is_own |= motion->others_are_own;
+    for (int part = 0; part < PART_COUNT; part++) {
+        if (!motion->others[part].count) continue;
+        track_free(&motion->tracks[part]);
+        motion->tracks[part] = motion->others[part];
+        motion->others[part] = (struct track){0};
+    }
+    return true;
+}
+
+static void settle(struct node_motion *motion)
+{
+    if (take_beside(motion)) return;
+    const bool moved = tracks_move(motion->tracks), moves = tracks_move(motion->others);
+    bool is_other = moved && moves;
+    for (int part = 0; part < PART_COUNT; part++)
+        is_other |= motion->tracks[part].count && motion->others[part].count && !moved && !moves &&
+                    !agree(&motion->tracks[part], &motion->others[part]);
+    motion->is_twice |= is_other;
+    const bool counts = moves && (!moved || (motion->others_are_own && !motion->is_own));
+    if (counts) motion->is_own = motion->others_are_own;
+    for (int part = 0; part < PART_COUNT; part++) {
+        struct track *loser = counts ? &motion->tracks[part] : &motion->others[part];
+        track_free(loser);
+        if (counts) motion->tracks[part] = motion->others[part];
+        motion->others[part] = (struct track){0};
+    }
+}
+
+void node_motions_settle(struct node_motions *motions)
+{
+    for (size_t i = 0; i < motions->count; i++)
+        settle(&motions->items[i]);
 }
 
 /* What mirrors is told by the scale: all of it, if there is a choice. */
