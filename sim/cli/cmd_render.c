@@ -97,16 +97,6 @@ static bool allocate(struct render *render, struct error *err)
                      options->setup.h_px);
 }
 
-static void print_notes(const struct compile_report *report)
-{
-    for (size_t i = 0; i < report->note_count; i++)
-        if (!report->notes[i].is_detail) notice("%s", report->notes[i].text);
-    if (report->mesh.clamped) notice("%zu faces have an opacity beyond 0..1, clamped", report->mesh.clamped);
-    for (enum unmapped kind = 0; kind < UNMAPPED_KINDS; kind++)
-        if (report->mesh.unmapped[kind])
-            notice("%zu faces %s; they have its mean colour", report->mesh.unmapped[kind], unmapped_words(kind));
-}
-
 /* What was merged is one face for whoever compares; with --ids nothing is. */
 static bool take_groups(struct render *render, struct error *err)
 {
@@ -159,7 +149,7 @@ static bool start(struct render *render, struct error *err)
     if (want_ids && !ids_init(&render->ids, &render->scene, &options->setup, err)) return false;
     if (want_ids) render->ids.simulator.core->newell(render->ids.simulator.lim, &options->newell);
     if (want_ids && moving->count && !ids_set_movers(&render->ids, moving, err)) return false;
-    print_notes(&render->scene.report);
+    compile_report_tell(&render->scene.report, true);
     faithful_note(&render->scene);
     if (!options->compare) return true;
     if (measures_edges(render) && !edge_error_init(&render->edges, &render->scene, &options->setup, err)) return false;

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * What compiling made of a model, in the few lines that everybody wants; report.c has the rest. */
+#include "base/notice.h"
 #include "base/printable.h"
 #include "compiler/compile.h"
 #include "compiler/moving_compile.h"
 #include "core/core.h"
+#include "model/mapping.h"
 #include "scene/mcu_mem.h"
 #include "scene/moving.h"
 
@@ -66,9 +68,20 @@ static void print_reservation(const struct compile_report *report)
         printf("  %-14s the order of faces is approximate; --method nearest keeps it exact, at another cost\n", "note");
 }
 
+void compile_report_tell(const struct compile_report *report, bool all)
+{
+    for (size_t i = 0; i < report->note_count; i++)
+        if (all ? !report->notes[i].is_detail : report->notes[i].is_loss) notice("%s", report->notes[i].text);
+    if (report->mesh.clamped) notice("%zu faces have an opacity beyond 0..1, clamped", report->mesh.clamped);
+    for (enum unmapped kind = 0; kind < UNMAPPED_KINDS; kind++)
+        if (report->mesh.unmapped[kind])
+            notice("%zu faces %s; they have its mean colour", report->mesh.unmapped[kind], unmapped_words(kind));
+}
+
 void compile_summary_print(const struct compiled *scene, const struct moving *moving, const char *name)
 {
     printable_print(stdout, "%s\n", name);
+    compile_report_tell(&scene->report, false);
     print_model(&scene->report, moving);
     print_drawn(&scene->report);
     print_memory(scene, moving);

@@ -333,6 +333,14 @@ void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct pic
     end(out, was_refused);
 }
 
+void picture_label(const struct aiScene *scene, const char *name, char label[PICTURE_NAME_B])
+{
+    const struct aiTexture *texture = name[0] == '*' ? embedded(scene, name) : NULL;
+    const bool has_own = texture && texture->mFilename.length;
+    snprintf(label, PICTURE_NAME_B, "%.*s%s%s%s", PICTURE_NAME_B / 2, has_own ? texture->mFilename.data : name,
+             has_own ? " (" : "", has_own ? name : "", has_own ? ")" : "");
+}
+
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out)
 {
     const struct aiTexture *texture = embedded(scene, name);

@@ -13,6 +13,9 @@
  * reason and no pixels; what may not be read ends the import (companion.h). */
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out);
 
+/* What people know it by: of one inside the model its own name, too, if it has one. */
+void picture_label(const struct aiScene *scene, const char *name, char label[PICTURE_NAME_B]);
+
 /* The same of a file beside the model, and of a file's bytes. */
 void picture_read_file(const char *name, struct picture *out);
 void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct picture *out);

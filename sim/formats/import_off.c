@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * OFF: a line a vertex, then a line a face. The first word says what lines of vertices have behind the coordinates:
- * [ST][C][N][4][n]OFF, a divisor (4), a normal (N), a colour (C), a place in a picture (ST, of which no file is named).
- * Behind a face's corners may come a colour: three or four numbers, or one number of a map that is not part of the
- * file. Colours are whole numbers up to 255, or up to 1 where they have points. Source: the manual of Geomview. */
+ * [ST][C][N][4][n]OFF, the first three in any order, a divisor (4), a normal (N), a colour (C), a place in a picture
+ * (ST, of which no file is named). Behind a face's corners may come a colour: three or four numbers, or one number of a
+ * map that is not part of the file. Colours are whole numbers up to 255, or up to 1 where they have points. Source: the
+ * manual of Geomview. */
 #include "formats/own_formats.h"
 
 #include "base/grow.h"
@@ -58,9 +59,12 @@ static bool takes(struct word *word, const char *prefix)
 static bool read_keyword(struct off *off, struct word *found)
 {
     struct word word = *found;
-    off->has_places = takes(&word, "ST");
-    off->has_colours = takes(&word, "C");
-    off->has_normals = takes(&word, "N");
+    for (const char *at = NULL; at != word.text;) { /* MeshLab has CSTOFF for STCOFF */
+        at = word.text;
+        off->has_places |= takes(&word, "ST");
+        off->has_colours |= takes(&word, "C");
+        off->has_normals |= takes(&word, "N");
+    }
     off->has_divisor = takes(&word, "4");
     off->has_dimension = takes(&word, "n");
     if (!takes(&word, "OFF") || (word.length && (word.text[0] < '0' || word.text[0] > '9'))) return false;

@@ -37,19 +37,24 @@ static unsigned extra_of(const unsigned char *facet)
 
 /* Bytes ------------------------------------------------------------------------------------------------------------ */
 
-/* Behind COLOR= are four bytes, and where ,MATERIAL= follows its first four count instead. */
+/* Behind COLOR= are four bytes, and where ,MATERIAL= follows its first four count instead. MeshLab has three bytes and
+ * a blank before MATERIAL=, and behind it. */
 static void find_part_colour(struct stl *stl)
 {
-    static const char colour[] = "COLOR=", material[] = ",MATERIAL=";
+    static const char colour[] = "COLOR=", material[] = ",MATERIAL=", three[] = " MATERIAL=";
     const size_t colour_b = sizeof colour - 1, material_b = sizeof material - 1;
     for (size_t i = 0; i + colour_b + 4 <= NAME_B; i++) {
         if (memcmp(stl->bytes + i, colour, colour_b) != 0) continue;
         const unsigned char *rgba = stl->bytes + i + colour_b;
         const size_t left_b = NAME_B - (i + colour_b + 4);
-        if (left_b >= material_b + 4 && memcmp(rgba + 4, material, material_b) == 0) rgba += 4 + material_b;
+        const bool has_three = left_b >= material_b + 2 && memcmp(rgba + 3, three, material_b) == 0;
+        if (has_three)
+            rgba += 3 + material_b;
+        else if (left_b >= material_b + 4 && memcmp(rgba + 4, material, material_b) == 0)
+            rgba += 4 + material_b;
         stl->is_magics = true;
         for (int channel = 0; channel < 4; channel++)
-            stl->part[channel] = rgba[channel] / 255.0;
+            stl->part[channel] = channel == 3 && has_three ? 1 : rgba[channel] / 255.0;
         return;
     }
 }

@@ -27,6 +27,7 @@ static const struct extension {
     {"EXT_structural_metadata", UNSEEN, NULL},
     {"EXT_texture_avif", DRAWN, NULL},
     {"EXT_texture_webp", DRAWN, NULL},
+    {"FB_ngon_encoding", UNSEEN, NULL}, /* how triangles were cut from faces */
     {"GODOT_single_root", UNSEEN, NULL},
     {"KHR_animation_pointer", LEFT_OUT, "what it animates stands still; nodes alone move"},
     {"KHR_audio", UNSEEN, NULL},
@@ -89,6 +90,24 @@ static bool are_for(const char *words, const char *name)
     return known->words && strcmp(known->words, words) == 0;
 }
 
+/* Whether anything in the file has it: that it is listed as used does not say so. */
+static bool is_anywhere(const json_t *in, const char *name)
+{
+    const char *key;
+    json_t *value;
+    size_t i;
+    if (json_object_get(json_object_get(in, "extensions"), name)) return true;
+    json_object_foreach((json_t *)in, key, value)
+    {
+        if (is_anywhere(value, name)) return true;
+    }
+    json_array_foreach(in, i, value)
+    {
+        if (is_anywhere(value, name)) return true;
+    }
+    return false;
+}
+
 /* All that are used, of which the same is to be said: in one line. */
 static void note_words(const struct gltf_file *file, const char *words, struct model *model)
 {
@@ -98,7 +117,7 @@ static void note_words(const struct gltf_file *file, const char *words, struct m
     json_array_foreach(json_object_get(file->root, "extensionsUsed"), i, entry)
     {
         const char *name = json_string_value(entry);
-        if (!name || !are_for(words, name)) continue;
+        if (!name || !are_for(words, name) || !is_anywhere(file->root, name)) continue;
         if (length < sizeof names)
             length += (size_t)snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "", name);
     }

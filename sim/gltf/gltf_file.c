@@ -52,7 +52,9 @@ bool gltf_file_read(const char *path, struct gltf_file *out, struct error *err)
     out->root = json_loadb(text + mark_b, text_b - mark_b, JSON_DISABLE_EOF_CHECK, &reason);
     if (out->root) return true;
     gltf_file_free(out);
-    return error_set(err, "%s:%d: %s", path, reason.line, reason.text);
+    const bool has_nul = strstr(reason.text, "JSON_ALLOW_NUL") != NULL; /* the library's flag is nobody's help */
+    return error_set(err, "%s:%d: %s", path, reason.line,
+                     has_nul ? "a text in it has the character \\u0000" : reason.text);
 }
 
 void gltf_file_free(struct gltf_file *file)

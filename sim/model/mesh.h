@@ -38,6 +38,7 @@ struct mapping {
 struct note {
     char text[512];
     bool is_detail; /* for the report alone */
+    bool is_loss;   /* something of the file is not drawn as it says */
 };
 
 /* Why a face does not show its texture. */

@@ -54,6 +54,7 @@ static struct note *note_add(struct mesh *mesh)
 static void note_left_out(struct mesh *mesh, const struct picture *picture)
 {
     struct note *note = note_add(mesh);
+    note->is_loss = true;
     snprintf(note->text, sizeof note->text, "texture %s: %s; faces of a flat colour instead: %zu",
              name_end(picture->name).text, picture->reason, picture->faces);
 }
@@ -62,8 +63,11 @@ static void note_opaque(struct mesh *mesh, const struct picture *picture)
 {
     if (!picture->clear_faces) return;
     struct note *note = note_add(mesh);
-    snprintf(note->text, sizeof note->text, "texture %s: its transparency is not drawn; faces that it belongs to: %zu",
-             name_end(picture->name).text, picture->clear_faces);
+    note->is_loss = true;
+    snprintf(
+        note->text, sizeof note->text,
+        "texture %s: its transparency is not drawn; faces that it belongs to: %zu; a cut-out is, as of alphaMode MASK",
+        name_end(picture->name).text, picture->clear_faces);
 }
 
 /* Whether it was. */

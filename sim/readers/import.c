@@ -220,6 +220,7 @@ static bool add_face(struct import *import, const struct aiFace *from, uint32_t 
     if (face->picture) model->pictures[face->picture - 1].faces++;
     if (import->pictures.mask) model->pictures[import->pictures.mask - 1].clear_faces++;
     import->pictures.light_faces[import->pictures.light]++;
+    import->pictures.bright_faces += import->pictures.is_bright;
     for (unsigned k = 0; k < from->mNumIndices; k++) {
         uint32_t corner = first_point + from->mIndices[mirrored ? from->mNumIndices - 1 - k : k];
         const double *p = model->points[corner];
@@ -284,17 +285,36 @@ static void watch_log(const char *message, char *dropped)
     if (strstr(message, "out-of-range")) *dropped = true;
 }
 
+static bool has_head_of_zip(const char *path)
+{
+    char head[4] = "";
+    FILE *file = fopen(path, "rb");
+    const bool is_read = file && fread(head, sizeof head, 1, file) == 1;
+    if (file) fclose(file);
+    return is_read && memcmp(head, "PK\003\004", sizeof head) == 0;
+}
+
 static bool refuse(const char *path, struct error *err)
 {
     const char *reason = aiGetErrorString();
     /* Whatever nobody else takes is tried as Blender's. */
-    const bool is_unknown = strstr(reason, "BLENDER magic") && !path_has_suffix(path, ".blend");
-    if (is_unknown || strstr(reason, "No suitable reader")) reason = "not in a format that the importer knows";
+    const bool is_unknown = (strstr(reason, "BLENDER magic") && !path_has_suffix(path, ".blend")) ||
+                            (strstr(reason, "STL storage") && !path_has_suffix(path, ".stl")) ||
+                            strstr(reason, "Ogre Mesh") || strstr(reason, "No suitable reader");
+    const char *help = path_has_suffix(path, ".blend") ? "; export glTF from Blender" : "";
+    if (is_unknown) {
+        reason = "not in a format that the importer knows";
+        help = "; glTF, OBJ, PLY, STL and others are: limner formats";
+    }
+    if (has_head_of_zip(path)) {
+        reason = "it is compressed, as a ZIP archive";
+        help = ": unpack it, and give what is in it";
+    }
     if (strstr(reason, "bad_alloc")) reason = "it asks for more memory than the importer gets";
     size_t length = strlen(reason);
     while (length > 0 && strchr(" .\r\n", reason[length - 1]))
         length--;
-    return error_set(err, "%s: %.*s", path, (int)length, reason);
+    return error_set(err, "%s: %.*s%s", path, (int)length, reason, help);
 }
 
 /* library_path: NULL if the library is to take the file for what it is. */
@@ -377,7 +397,13 @@ static bool import_by_library(const char *path, struct model *model, struct erro
     if (ok) note_sky(model, import.pictures.has_sky);
     motions_free(&import.motions);
     if (ok) obj_tell(&import.numbers.obj, model);
-    if (ok && !import.plain.path && !path_has_suffix(path, ".obj")) left_out_tell(import.scene, model);
+    if (ok && !import.plain.path && !path_has_suffix(path, ".obj")) {
+        left_out_tell(import.scene, model);
+        if (!path_has_suffix(path, ".fbx") && !path_has_suffix(path, ".dae"))
+            model_note(model,
+                       "its colours, pictures and copies of things may be missing without a word, as of all formats "
+                       "that limner formats does not list");
+    }
     import_pictures_free(&import.pictures);
     node_transforms_free(&import.transforms);
     aiReleaseImport(import.scene);

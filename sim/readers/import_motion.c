@@ -118,10 +118,11 @@ static bool keeps_scale(const struct motions *work, const struct node_motion *mo
         const double apart = vec3_distance2(track_key(track, key), from);
         if (apart > most) most = apart, to = track_key(track, key);
     }
-    return error_set(err,
-                     "%s: node '%s': its animation changes its scale, from %g %g %g to %g %g %g; --movers off draws it "
-                     "where the file has it, or apply the scale in the program that it was made with",
-                     work->path, motion->node->mName.data, from[0], from[1], from[2], to[0], to[1], to[2]);
+    return error_set(
+        err,
+        "%s: node '%s': its animation changes its scale, from %g %g %g to %g %g %g, and what moves keeps its "
+        "size; --movers off draws it where the file has it",
+        work->path, motion->node->mName.data, from[0], from[1], from[2], to[0], to[1], to[2]);
 }
 
 static bool check(const struct motions *work, const struct node_motion *motion, struct error *err)
@@ -220,8 +221,9 @@ static void tell_nodes(struct motions *work)
     tell(work->model, &empty, "stands still: its animation has no keys", "stand still: their animations have no keys");
     tell(work->model, &joints, "is animated and moves a skin: that is drawn at rest",
          "are animated and move skins: these are drawn at rest");
-    tell(work->model, &bare, "is animated, but has no mesh, nor anything below it: nothing moves",
-         "are animated, but have no mesh, nor anything below them: nothing moves");
+    tell(work->model, &bare,
+         "is animated, but has no mesh, nor anything below it: nothing moves, and cameras stay where they are",
+         "are animated, but have no mesh, nor anything below them: nothing moves, and cameras stay where they are");
     tell(work->model, &twice,
          "is moved by several animations: the first that moves it is drawn, or that named after it; a file with one "
          "helps: of Blender's FBX without All Actions and NLA Strips",

@@ -12,13 +12,16 @@
 static uint32_t picture_number(struct import_pictures *pictures, const char *name, const uint8_t wrap[2])
 {
     struct model *model = pictures->model;
+    char label[PICTURE_NAME_B];
+    picture_label(pictures->scene, name, label);
     for (size_t i = 0; i < model->picture_count; i++)
-        if (strcmp(model->pictures[i].name, name) == 0 &&
+        if (strcmp(model->pictures[i].name, label) == 0 &&
             memcmp(model->pictures[i].wrap, wrap, sizeof model->pictures[i].wrap) == 0)
             return (uint32_t)i + 1;
     model->pictures = grow(model->pictures, model->picture_count, &pictures->capacity, sizeof *model->pictures);
     struct picture *picture = &model->pictures[model->picture_count++];
     picture_read(pictures->scene, name, picture);
+    memcpy(picture->name, label, sizeof label);
     memcpy(picture->wrap, wrap, sizeof picture->wrap);
     return (uint32_t)model->picture_count;
 }
@@ -133,6 +136,8 @@ static void take_light(struct import_pictures *pictures, const struct aiMaterial
         for (int i = 0; i < 3; i++)
             paint->light[i] = 1;
     if (!(sum_of(paint->light) > 0)) return;
+    for (int i = 0; i < 3 && !pictures->own; i++)
+        pictures->is_bright |= paint->light[i] > 1;
     begin_light(pictures, &of);
     if (pictures->picture && !has_pixels(pictures, pictures->picture) && !pictures_are_left_out()) return;
     if (has_picture && pictures_are_left_out() && of.colour) return;
@@ -153,6 +158,7 @@ void import_pictures_find(struct import_pictures *pictures, const struct aiMesh 
     pictures->picture = pictures->mask = pictures->holes = 0;
     pictures->emission = 0;
     pictures->light = LIGHT_NONE;
+    pictures->is_bright = false;
     pictures->own = NULL;
     if (mesh->mMaterialIndex >= pictures->scene->mNumMaterials) return;
     const struct aiMaterial *material = pictures->scene->mMaterials[mesh->mMaterialIndex];
@@ -175,6 +181,12 @@ void import_pictures_find(struct import_pictures *pictures, const struct aiMesh 
 
 void import_pictures_note(const struct import_pictures *pictures)
 {
+    if (pictures->bright_faces)
+        model_note(
+            pictures->model,
+            "%zu faces emit more than 1 of red, green or blue: it is drawn as 1, which may change their hue; less "
+            "strength helps",
+            pictures->bright_faces);
     if (pictures->light_faces[LIGHT_DIMMED])
         model_note(pictures->model,
                    "%zu faces emit light and have a texture: baked light dims both; --unlit shows them undimmed",

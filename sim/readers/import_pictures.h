@@ -20,7 +20,7 @@ struct import_pictures {
     struct model *model; /* which has the pictures */
     struct masked_pictures masked;
     struct emissive_pictures emissive;
-    size_t capacity, light_faces[LIGHTS_IN_PICTURES];
+    size_t capacity, light_faces[LIGHTS_IN_PICTURES], bright_faces;
     bool has_sky; /* one of the materials is it */
     /* Of the mesh that was asked for last: */
     struct model_paint *paint;
@@ -29,6 +29,7 @@ struct import_pictures {
     unsigned uv_set;
     uint32_t emission; /* model_face.emission */
     enum light_in_picture light;
+    bool is_bright; /* it emits more than a colour can be; of an OBJ file that is told by its materials' names */
     const struct mtl_material *own; /* what an OBJ file's libraries say of it; NULL: nothing */
 };
 
@@ -36,7 +37,7 @@ struct import_pictures {
 void import_pictures_find(struct import_pictures *pictures, const struct aiMesh *mesh, const struct obj *obj,
                           struct model_paint *paint);
 
-/* Notices of light that is dimmed or left out, by light_faces. */
+/* Notices of light that is dimmed, cut or left out, by the faces that were counted. */
 void import_pictures_note(const struct import_pictures *pictures);
 void import_pictures_free(struct import_pictures *pictures);
 

@@ -15,8 +15,8 @@ static const struct {
     const char *suffix;
     enum up_custom custom;
 } CUSTOMS[] = {{".stl", CUSTOM_Z},        {".blend", CUSTOM_ALWAYS_Z}, {".cob", CUSTOM_ALWAYS_Z},
-               {".scn", CUSTOM_ALWAYS_Z}, {".3mf", CUSTOM_ALWAYS_Z},   {".3ds", CUSTOM_TURNED},
-               {".ase", CUSTOM_TURNED}};
+               {".scn", CUSTOM_ALWAYS_Z}, {".3mf", CUSTOM_ALWAYS_Z},   {".amf", CUSTOM_Z},
+               {".3ds", CUSTOM_TURNED},   {".ase", CUSTOM_TURNED}};
 
 static enum up_custom custom_of(const char *path)
 {

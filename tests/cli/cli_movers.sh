@@ -80,7 +80,7 @@ refused_changed() { # REASON SED-EXPRESSION
 noticed() { # an empty node takes the place of the block
     changed 's/{"mesh": 12, "name": "block"/{"name": "block"/' &&
         "$BUILD/limner" render "$work/changed.gltf" --camera "$work/few.cam" --stats 2>"$work/said" >/dev/null &&
-        says "changed.gltf: node 'block' is animated, but has no mesh, nor anything below it: nothing moves$"
+        says "changed.gltf: node 'block' is animated, but has no mesh, nor anything below it: nothing moves, and cameras stay where they are$"
 }
 
 noticed_without_keys() {
@@ -222,7 +222,7 @@ tap_check "and one that its near plane would cut away" cut_is_refused
 tap_check "each precision is judged by itself" exact_is_chosen
 tap_check "what is left out of an object is said" dropped_is_said
 tap_check "an animation that scales is refused" refused_changed \
-    "node 'ball': its animation changes its scale, from -3 1.2 0.1 to [-0-9. ]*; --movers off draws it where the file has it, or apply" '/"sampler": 0,/s/translation/scale/'
+    "node 'ball': its animation changes its scale, from -3 1.2 0.1 to [-0-9. ]*, and what moves keeps its size; --movers off draws it where the file has it$" '/"sampler": 0,/s/translation/scale/'
 tap_check "a sheared mover is refused" refused_changed \
     "node 'bar': its own transform shears it, and its animation cannot; apply the transform .*, or --movers off$" \
     's/"name": "bar", "translation": [[][^]]*[]]/"name": "bar", "matrix": [1,0,0,0, 0.5,1,0,0, 0,0,1,0, 0,0,0,1]/'
@@ -326,7 +326,7 @@ tap_check "a mirrored node is" is_right mirrored
 tap_check "what an uneven scale above does not shear is" is_right slides
 tap_check "what leaves the scene is, and it is not left out" is_right away
 tap_check "a scale that changes is refused, with both" refuses grows \
-    "node 'box': its animation changes its scale, from 1 1 1 to 2 1 1; --movers off draws it where the file has it, or apply"
+    "node 'box': its animation changes its scale, from 1 1 1 to 2 1 1, and what moves keeps its size; --movers off draws it where the file has it$"
 tap_check "what an uneven scale above shears is refused" refuses shears \
     "node 'box': the uneven scale of a node above shears it as it turns; apply that scale .*, or --movers off$"
 tap_check "times that go back are refused" refuses backwards \
@@ -337,7 +337,7 @@ tap_check "and drawn as is said" is_near too_far --coordinates 32
 tap_check "whatever is animated stands still with --movers off" off_draws
 tap_check "bones, bare nodes and weights have a line a kind" notes_alone skin \
     "3 nodes, 'joint 0' the first, are animated and move skins: these are drawn at rest$" \
-    "2 nodes, 'lamp' the first, are animated, but have no mesh, nor anything below them: nothing moves$" \
+    "2 nodes, 'lamp' the first, are animated, but have no mesh, nor anything below them: nothing moves, and cameras stay where they are$" \
     "1 animation of morph targets' weights is not run: drawn with the weights that the file has at rest$"
 tap_check "nodes of several animations have one" notes_alone twice \
     "2 nodes, 'box 0' the first, are moved by several animations: the first that moves each is drawn, or that named after it; a file with one helps: of Blender's FBX without All Actions and NLA Strips$"

@@ -199,13 +199,13 @@ tap_check 'of one that can be read there is a flat face, too' is_flat quarters.o
 half_clear >clear.png
 sed 's/quarters.png/clear.png/' quarters.mtl >clear.mtl
 sed 's/quarters.mtl/clear.mtl/' quarters.obj >clear.obj
-tap_check 'transparency that is not drawn is noted' notes 'texture clear.png: its transparency is not drawn; faces that it belongs to: 1$' clear.obj
+tap_check 'transparency that is not drawn is noted' notes 'texture clear.png: its transparency is not drawn; faces that it belongs to: 1; a cut-out is, as of alphaMode MASK$' clear.obj
 tap_check 'where nothing is transparent nothing is said' says_nothing quarters.obj
 (cat quarters.mtl && echo 'map_d mask.png') >masked.mtl
 sed 's/quarters.mtl/masked.mtl/' quarters.obj >masked.obj
-tap_check 'so is that of a mask' notes 'texture mask.png: its transparency is not drawn; faces that it belongs to: 1$' masked.obj
+tap_check 'so is that of a mask' notes 'texture mask.png: its transparency is not drawn; faces that it belongs to: 1; a cut-out is, as of alphaMode MASK$' masked.obj
 alpha_modes_with clear.png >modes.gltf
-tap_check 'and in glTF that of what is not OPAQUE, but for a mask of which texels are clear' notes 'texture clear.png: its transparency is not drawn; faces that it belongs to: 3$' modes.gltf
+tap_check 'and in glTF that of what is not OPAQUE, but for a mask of which texels are clear' notes 'texture clear.png: its transparency is not drawn; faces that it belongs to: 3; a cut-out is, as of alphaMode MASK$' modes.gltf
 holes_are_as_they_were() { # METHOD
     timeout 120 "$limner" render "$models/holes.obj" --camera "$models/holes.cam" --sky heaven --size 96x72 --method "$1" --check "$models/holes.hashes"
 }
@@ -239,7 +239,7 @@ cat >holes.gltf <<'GLTF'
 GLTF
 tap_check 'so are those of a glTF whose alphaMode is MASK' holes_show_what_is_behind holes.gltf
 sed 's/"MASK"/"BLEND"/' holes.gltf >blend.gltf
-tap_check 'BLEND is not drawn, and noted' notes 'texture holes.png: its transparency is not drawn; faces that it belongs to: 2$' blend.gltf
+tap_check 'BLEND is not drawn, and noted' notes 'texture holes.png: its transparency is not drawn; faces that it belongs to: 2; a cut-out is, as of alphaMode MASK$' blend.gltf
 sed 's/"MASK"/"OPAQUE"/' holes.gltf >opaque.gltf
 tap_check 'OPAQUE has no holes' says_nothing opaque.gltf
 tap_check 'a mesh draws none, and says so' sh -c "! '$limner' compile holes.obj --method mesh -o never 2>said && grep 'transparent faces are not drawn' said"

@@ -394,6 +394,8 @@ def stl_magics():
     stl_seen().row([(0, 255, 0), COLOURS[3], (0, 255, 0), (0, 255, 0)])
     stl(b"COLOR=" + part, [0] * 4)
     stl_seen().row([(128, 64, 32)] * 4)
+    stl(b"COLOR=\x10\x10\x10 MATERIAL=\x80\x40\x20 \x10\x10\x10 \x10\x10\x10 ", [0] * 4)  # as MeshLab has it
+    stl_seen().row([(128, 64, 32)] * 4)
 
 
 def stl_text():

@@ -301,7 +301,10 @@ def said():
     """Files of which something is to be said: name, what is drawn being the wedge."""
     out = File()
     wedge(out)
-    out.root['extensionsUsed'] = ['KHR_lights_punctual', 'KHR_materials_sheen', 'KHR_materials_clearcoat', 'ACME_dust']
+    out.root['extensionsUsed'] = ['KHR_lights_punctual', 'KHR_materials_sheen', 'KHR_materials_clearcoat', 'ACME_dust',
+                                  'KHR_materials_volume', 'ACME_smoke']  # the last two are used nowhere
+    out.root['extensions'] = {'KHR_lights_punctual': {'lights': []}, 'ACME_dust': {}}
+    out.root['nodes'][0]['extensions'] = {'KHR_materials_sheen': {}, 'KHR_materials_clearcoat': {}}
     out.write('lights.gltf')
     out.root['extensionsRequired'] = ['ACME_dust']
     out.write('dust.gltf')

@@ -116,7 +116,8 @@ def wrong(name, feature, fate, words):
 def wrong_extension(name, fate, words):
     """What is drawn, or is not seen, may be required; its looks are those of tests/formats/gltf.py."""
     is_told = fate == "left out" and words
-    path = one_square.write_gltf(one_square.Thing("extension", True), {"extensionsUsed": [name]} if is_told else {
+    path = one_square.write_gltf(one_square.Thing("extension", True), {
+        "extensionsUsed": [name], "extensions": {name: {}}} if is_told else {
         "extensionsUsed": [name], "extensionsRequired": [name]})
     status, text = formats.run(path, *QUICK)
     line = "limner: note: %s: %s: %s\n" % (path, name, words) if is_told else ""

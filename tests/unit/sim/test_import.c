@@ -157,7 +157,8 @@ static void files_that_are_no_models_are_refused(void **state)
     assert_refused("/dev/null", "/dev/null: is a device, not a regular file");
     assert_refused("tests/models/empty.obj", "tests/models/empty.obj: the file is empty");
     assert_refused("tests/models/text.obj", "tests/models/text.obj: there are no faces in it");
-    assert_refused("tests/models/junk.xyzzy", "tests/models/junk.xyzzy: not in a format that the importer knows");
+    assert_refused("tests/models/junk.xyzzy", "tests/models/junk.xyzzy: not in a format that the importer knows; glTF, "
+                                              "OBJ, PLY, STL and others are: limner formats");
 }
 
 static void models_without_faces_are_refused(void **state)
