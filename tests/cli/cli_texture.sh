@@ -200,6 +200,10 @@ half_clear >clear.png
 sed 's/quarters.png/clear.png/' quarters.mtl >clear.mtl
 sed 's/quarters.mtl/clear.mtl/' quarters.obj >clear.obj
 tap_check 'transparency that is not drawn is noted' notes 'texture clear.png: its transparency is not drawn; faces that it belongs to: 1; a cut-out is, as of alphaMode MASK$' clear.obj
+compile_tells() { # without --report, too
+    "$limner" compile clear.obj -o clear >short 2>said && cat said && grep -q '^limner: note: texture clear.png: its transparency is not drawn' said
+}
+tap_check 'by compile as well' compile_tells
 tap_check 'where nothing is transparent nothing is said' says_nothing quarters.obj
 (cat quarters.mtl && echo 'map_d mask.png') >masked.mtl
 sed 's/quarters.mtl/masked.mtl/' quarters.obj >masked.obj

@@ -298,7 +298,18 @@ def emission():
 
 
 def said():
-    """Files of which something is to be said: name, what is drawn being the wedge."""
+    """Files of which something is to be said: name, what is drawn being the wedge; those of foreign.sh come first."""
+    out = File()
+    strong = {'KHR_materials_emissive_strength': {'emissiveStrength': 5}}
+    square(out, WHOLE, material=out.material((0, 0, 0), emissiveFactor=[1, 0.2, 0.2], extensions=strong))
+    out.write('bright.gltf')
+    out = File()
+    picture_of = {'index': out.texture(picture()[:11])}  # which is resized, and told
+    out.root['images'][0]['name'] = 'leaf'
+    square(out, WHOLE, material=out.material((1, 1, 1), picture_of))
+    out.write('named.gltf')
+    out.root['images'][0]['name'] = 'nul\0'
+    out.write('nul.gltf')
     out = File()
     wedge(out)
     out.root['extensionsUsed'] = ['KHR_lights_punctual', 'KHR_materials_sheen', 'KHR_materials_clearcoat', 'ACME_dust',
