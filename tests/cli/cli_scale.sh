@@ -113,7 +113,7 @@ tap_check "is drawn right, too" right mesh60000 0.02 --precision exact
 
 same_from_file() {
     "$BUILD/limner" compile "$work/mesh8000.obj" --method nearest -o "$work/wide" --report >"$work/said" &&
-        "$BUILD/limner" render "$work/mesh8000.obj" --camera "$work/few.cam" --size 64x64 --write-hashes "$work/hashes" &&
+        "$BUILD/limner" render "$work/mesh8000.obj" --method nearest --camera "$work/few.cam" --size 64x64 --write-hashes "$work/hashes" &&
         "$BUILD/limner" render "$work/wide.lim" --camera "$work/few.cam" --size 64x64 --check "$work/hashes" && is_wide wide 1
 }
 too_large_to_sort() {
