@@ -255,7 +255,9 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
 static bool allocate(struct import *import)
 {
     struct model *model = import->model;
-    if (model->face_count == 0) return error_set(import->err, "%s: " WORDS_NO_FACES, import->path);
+    if (model->face_count == 0)
+        return error_set(import->err, "%s: %s", import->path,
+                         left_out_morphed(import->path) ? WORDS_ALL_MORPHED : WORDS_NO_FACES);
     model->points = calloc(model->point_count, sizeof *model->points);
     model->corners = calloc(model->corner_count, sizeof *model->corners);
     model->faces = calloc(model->face_count, sizeof *model->faces);
@@ -305,6 +307,10 @@ static bool refuse(const char *path, struct error *err)
     if (is_unknown) {
         reason = "not in a format that the importer knows";
         help = "; glTF, OBJ, PLY, STL and others are: limner formats";
+    }
+    if (strstr(reason, "library reference") && left_out_morphed(path)) {
+        reason = "some of its meshes have morph targets, which the importer does not read";
+        help = ": export it without";
     }
     if (has_head_of_zip(path)) {
         reason = "it is compressed, as a ZIP archive";
@@ -398,7 +404,7 @@ static bool import_by_library(const char *path, struct model *model, struct erro
     motions_free(&import.motions);
     if (ok) obj_tell(&import.numbers.obj, model);
     if (ok && !import.plain.path && !path_has_suffix(path, ".obj")) {
-        left_out_tell(import.scene, model);
+        left_out_tell(path, import.scene, model);
         if (!path_has_suffix(path, ".fbx") && !path_has_suffix(path, ".dae"))
             model_note(model,
                        "its colours, pictures and copies of things may be missing without a word, as of all formats "

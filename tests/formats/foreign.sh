@@ -63,6 +63,12 @@ printf '<?xml version="1.0"?><X3D><Scene><Shape><IndexedFaceSet solid="false" co
 tap_check "a format that the library alone reads says what may be missing" says one.x3d \
     'one.x3d: its colours, pictures and copies of things may be missing without a word'
 
+mkdir dae && (cd dae && python3 -c 'import sys; sys.path.insert(0, sys.argv[1]); import one_square, one_square_xml
+one_square_xml.write_collada(one_square.Thing("morph targets", True))' "$(dirname "$files")") &&
+    sed 's|</visual_scene>|<node id="plain"><instance_geometry url="#g"/></node>&|' dae/a.dae >morph.dae
+tap_check "meshes that the library does not read are told as the reason" refuses morph.dae \
+    'some of its meshes have morph targets, which the importer does not read: export it without'
+
 printf 'PK\003\004and what a ZIP archive has' >packed.amf
 tap_check "an archive is called one" refuses packed.amf 'it is compressed, as a ZIP archive: unpack it, and give what is in it'
 printf 'MeshVersionFormatted 2\nDimension 3\nVertices\n0\nEnd\n' >medit.mesh
