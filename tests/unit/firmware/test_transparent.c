@@ -12,6 +12,7 @@
 #include "rigs/cmocka_ready.h"
 #include "rigs/mesh_rig.h"
 #include "rigs/profiles.h"
+#include "rigs/random.h"
 #include "scene/compiled.h"
 #include "scene/convexity.h"
 #include "scene/lim_check.h"
@@ -53,6 +54,32 @@ static double blend_error(uint16_t behind, uint16_t colour, uint8_t alpha)
         worst = fmax(worst, fabs(got.level[i] - want));
     }
     return worst;
+}
+
+/* Of runs of equal pixels and lone ones, from any pixel on, each becomes what it does by itself; others stay. */
+static void runs_are_mixed_as_their_pixels_are(void **state)
+{
+    enum { LINES = 2000, LINE_PX = 40 };
+    _Alignas(4) uint16_t line[LINE_PX], before[LINE_PX];
+    struct random random = {17};
+
+    (void)state;
+    for (int i = 0; i < LINES; i++) {
+        const uint16_t colour = (uint16_t)random_in(&random, 0, 65535), few = (uint16_t)random_in(&random, 0, 65535);
+        const uint8_t alpha = (uint8_t)random_in(&random, 0, 255);
+        for (int x = 0; x < LINE_PX; x++)
+            line[x] = before[x] = x && random_in(&random, 0, 3) ? line[x - 1]
+                                  : random_in(&random, 0, 1)    ? few
+                                                                : (uint16_t)random_in(&random, 0, 65535);
+        const uint16_t x0 = (uint16_t)random_in(&random, 0, LINE_PX - 1);
+        const uint16_t n = (uint16_t)random_in(&random, 0, LINE_PX - x0);
+        lim_blend(line, x0, n, lim_memory_colour(colour), alpha);
+        for (int x = 0; x < LINE_PX; x++) {
+            const bool is_mixed = x >= x0 && x < x0 + n;
+            assert_int_equal(line[x], is_mixed ? lim_memory_colour(blended(lim_memory_colour(before[x]), colour, alpha))
+                                               : before[x]);
+        }
+    }
 }
 
 /* Each channel alone, and beside others that are as far from it as can be. */
@@ -445,6 +472,7 @@ static void polygons_of_different_opacity_stay_apart(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(runs_are_mixed_as_their_pixels_are),
         cmocka_unit_test(a_layer_is_less_than_a_level_off_for_all_values_and_alphas),
         cmocka_unit_test(the_ends_of_alpha_are_exact),
         cmocka_unit_test(the_nearer_pane_counts_more),
