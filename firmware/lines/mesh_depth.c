@@ -83,8 +83,8 @@ struct near_point {
     uint16_t nearness;
 };
 
-static LIM_INLINE_32 void set_depth(struct lim_mesh_active *active, const struct near_point *a, const struct near_point *b,
-                                 const struct near_point *c, uint16_t y)
+static LIM_INLINE_32 void set_depth(struct lim_mesh_active *active, const struct near_point *a,
+                                    const struct near_point *b, const struct near_point *c, uint16_t y)
 {
     const int32_t p = (int32_t)b->nearness - a->nearness, q = (int32_t)c->nearness - a->nearness;
     struct plane_of_three plane;

@@ -109,7 +109,8 @@ struct shape {
     int32_t wide; /* twice its size on the screen, of halved ways; not above 0: nowhere wider than a pixel */
 };
 
-static LIM_INLINE_32 void set_shape(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners, struct shape *shape)
+static LIM_INLINE_32 void set_shape(const struct lim_mesh *mesh, const LIM_FLASH lim_index *corners,
+                                    struct shape *shape)
 {
     const LIM_FLASH struct lim_uv *const uvs = *mesh->pass->scene->uvs;
 
@@ -370,8 +371,8 @@ static LIM_INLINE void make_smaller(struct lim_texture_level *level, uint_fast8_
 
 /* A level, and how texels advance. */
 static LIM_INLINE_32 void take_even(const struct lim_mesh *mesh, const LIM_FLASH struct lim_texture *texture,
-                                 const struct shape *shape, uint_fast8_t level, uint32_t moved,
-                                 struct lim_mesh_look *look)
+                                    const struct shape *shape, uint_fast8_t level, uint32_t moved,
+                                    struct lim_mesh_look *look)
 {
     const struct lim_mesh_picture *const taken = &mesh->looks->taken;
 

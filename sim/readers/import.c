@@ -14,6 +14,7 @@
 #include "formats/left_out.h"
 #include "formats/model_limits.h"
 #include "formats/own_formats.h"
+#include "formats/refusal.h"
 #include "gltf/gltf_plain.h"
 #include "levels/level_import.h"
 #include "levels/level_path.h"
@@ -287,42 +288,6 @@ static void watch_log(const char *message, char *dropped)
     if (strstr(message, "out-of-range")) *dropped = true;
 }
 
-static bool has_head_of_zip(const char *path)
-{
-    char head[4] = "";
-    FILE *file = fopen(path, "rb");
-    const bool is_read = file && fread(head, sizeof head, 1, file) == 1;
-    if (file) fclose(file);
-    return is_read && memcmp(head, "PK\003\004", sizeof head) == 0;
-}
-
-static bool refuse(const char *path, struct error *err)
-{
-    const char *reason = aiGetErrorString();
-    /* Whatever nobody else takes is tried as Blender's. */
-    const bool is_unknown = (strstr(reason, "BLENDER magic") && !path_has_suffix(path, ".blend")) ||
-                            (strstr(reason, "STL storage") && !path_has_suffix(path, ".stl")) ||
-                            strstr(reason, "Ogre Mesh") || strstr(reason, "No suitable reader");
-    const char *help = path_has_suffix(path, ".blend") ? "; export glTF from Blender" : "";
-    if (is_unknown) {
-        reason = "not in a format that the importer knows";
-        help = "; glTF, OBJ, PLY, STL and others are: limner formats";
-    }
-    if (strstr(reason, "library reference") && left_out_morphed(path)) {
-        reason = "some of its meshes have morph targets, which the importer does not read";
-        help = ": export it without";
-    }
-    if (has_head_of_zip(path)) {
-        reason = "it is compressed, as a ZIP archive";
-        help = ": unpack it, and give what is in it";
-    }
-    if (strstr(reason, "bad_alloc")) reason = "it asks for more memory than the importer gets";
-    size_t length = strlen(reason);
-    while (length > 0 && strchr(" .\r\n", reason[length - 1]))
-        length--;
-    return error_set(err, "%s: %.*s%s", path, (int)length, reason, help);
-}
-
 /* library_path: NULL if the library is to take the file for what it is. */
 static const struct aiScene *import_file(const char *path, const char *library_path,
                                          const struct vertex_numbers *numbers, struct error *err)
@@ -346,7 +311,7 @@ static const struct aiScene *import_file(const char *path, const char *library_p
     if (dropped)
         error_set(err, "%s: vertex indices of some faces are out of range", path);
     else
-        refuse(path, err);
+        refusal_set(path, aiGetErrorString(), err);
     return NULL;
 }
 
