@@ -81,7 +81,8 @@ static inline lim_edge_wrap widened(int32_t at_q16)
  * that is less high, too. */
 static inline bool edge_is_low(int32_t dy, int32_t lines)
 {
-    if (LIM_OPTIMISE_SIZE || (uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > UINT32_C(1) << SHORT_BITS) return false;
+    if (LIM_OPTIMISE_SIZE || (uint32_t)(DIVISOR_ERROR * lines + 1) * (uint32_t)dy > UINT32_C(1) << SHORT_BITS)
+        return false;
     return LIM_SUB_BITS <= 9 || dy < SHORT_WIDTH;
 }
 

@@ -15,13 +15,13 @@ enum node_part { PART_AT, PART_TURN, PART_SCALE, PART_COUNT };
 
 struct node_motion {
     const struct aiNode *node;
-    double own[PART_COUNT][4]; /* of the node where the file has it */
+    double own[PART_COUNT][4];       /* of the node where the file has it */
     struct track tracks[PART_COUNT]; /* of one animation */
     struct track others[PART_COUNT]; /* of the animation that is being read, until it is settled which of them counts */
     bool is_own, others_are_own;     /* the animation has the node's name */
-    bool is_sheared; /* its own transform has no such parts */
-    bool is_twice;   /* several animations move it, or say different things of one part */
-    bool is_skin;    /* a skin hangs on the node */
+    bool is_sheared;                 /* its own transform has no such parts */
+    bool is_twice;                   /* several animations move it, or say different things of one part */
+    bool is_skin;                    /* a skin hangs on the node */
 };
 
 struct node_motions {
