@@ -72,7 +72,8 @@ packages-cross         := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-
 packages-compilers     := g++ clang gcc-arm-none-eabi gcc-riscv64-unknown-elf
 packages-sanitize      := $(packages-host)
 packages-models        := assimp-testmodels
-packages-brought       := python3 python3-numpy python3-pil $(packages-models)
+# parallel is for tests/choices/cli_sweep.sh, which skips what wants it where it is not there.
+packages-brought       := python3 python3-numpy python3-pil parallel $(packages-models)
 packages-features      := clang
 packages-arm64         := libcmocka-dev gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-system-arm device-tree-compiler cpio
 packages-test-arm64    := $(packages-arm64)
