@@ -20,9 +20,10 @@ bool compile_model(const char *path, const struct compile_options *options, stru
 
 /* What came of it, for people: all that there is to say, and the few lines that everybody wants. */
 void compile_report_print(const struct compiled *scene, const char *name);
-/* Notices of what a report notes: of all but details, or of what is not drawn as the file says alone. */
-void compile_report_tell(const struct compile_report *report, bool all);
 void compile_summary_print(const struct compiled *scene, const struct moving *moving, const char *name);
+
+/* A report's notes as notices: all but details, or only those of what is not drawn as the file says. */
+void compile_report_tell(const struct compile_report *report, bool all);
 
 /* Whether report->instructions tell what frames cost. Trees are compared as filled polygons in profile fast; of other
  * frames that says nothing. */

@@ -336,9 +336,10 @@ void picture_read_bytes(const char *name, void *bytes, size_t size_b, struct pic
 void picture_label(const struct aiScene *scene, const char *name, char label[PICTURE_NAME_B])
 {
     const struct aiTexture *texture = name[0] == '*' ? embedded(scene, name) : NULL;
-    const bool has_own = texture && texture->mFilename.length;
-    snprintf(label, PICTURE_NAME_B, "%.*s%s%s%s", PICTURE_NAME_B / 2, has_own ? texture->mFilename.data : name,
-             has_own ? " (" : "", has_own ? name : "", has_own ? ")" : "");
+    if (texture && texture->mFilename.length)
+        snprintf(label, PICTURE_NAME_B, "%.*s (%.9s)", PICTURE_NAME_B / 2, texture->mFilename.data, name);
+    else
+        snprintf(label, PICTURE_NAME_B, "%s", name);
 }
 
 void picture_read(const struct aiScene *scene, const char *name, struct picture *out)

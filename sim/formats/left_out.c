@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "formats/left_out.h"
 
-#include "files/whole_file.h"
 #include "model/note_words.h"
 
 #include <assimp/material.h>
-#include <string.h>
 
 struct tally {
     size_t skins, morphs, lines, moved;
@@ -32,22 +30,8 @@ static bool is_moved(const struct aiMaterial *material)
     return false;
 }
 
-size_t left_out_morphed(const char *path)
+void left_out_tell(const struct aiScene *scene, struct model *model)
 {
-    struct whole_file file;
-    struct error ignored; /* the library has read it */
-    size_t count = 0;
-    if (!path_has_suffix(path, ".dae") || !whole_file_read(path, &file, &ignored)) return 0;
-    for (const char *at = file.bytes; (at = strstr(at, "<morph")) != NULL; at++)
-        count++;
-    whole_file_free(&file);
-    return count;
-}
-
-void left_out_tell(const char *path, const struct aiScene *scene, struct model *model)
-{
-    const size_t morphed = left_out_morphed(path);
-    if (morphed) model_note(model, "%zu " WORDS_MORPHED, morphed);
     struct tally tally = {0};
     for (unsigned i = 0; i < scene->mNumMeshes; i++)
         count_mesh(scene->mMeshes[i], &tally);

@@ -8,11 +8,7 @@
 #include "model/model.h"
 
 #include <assimp/scene.h>
-#include <stddef.h>
 
-void left_out_tell(const char *path, const struct aiScene *scene, struct model *model);
-
-/* Meshes of a Collada file that the library passes over, as they have morph targets. */
-size_t left_out_morphed(const char *path);
+void left_out_tell(const struct aiScene *scene, struct model *model);
 
 #endif

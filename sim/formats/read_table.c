@@ -39,7 +39,7 @@ static const struct read_row ROWS[] = {
     {"skins", {NONE, LEFT_OUT(WORDS_SKINS), NONE, NONE, NONE, NONE, LEFT_OUT(WORDS_SKINS), LEFT_OUT(WORDS_SKINS),
                NONE}},
     {"morph targets", {NONE, LEFT_OUT(WORDS_MORPHS), NONE, NONE, NONE, NONE, LEFT_OUT(WORDS_MORPHS),
-                       REFUSED(WORDS_ALL_MORPHED), NONE}},
+                       REFUSED(WORDS_NO_MORPHS), NONE}},
     {"lights", {NONE, LEFT_OUT(WORDS_LIGHTS), NONE, NONE, NONE, NONE, LEFT_OUT(WORDS_LIGHTS), LEFT_OUT(WORDS_LIGHTS),
                 DRAWN}},
     {"cameras", {NONE, SILENT, NONE, NONE, NONE, NONE, SILENT, SILENT, NONE}},

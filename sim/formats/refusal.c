@@ -2,7 +2,7 @@
 #include "formats/refusal.h"
 
 #include "files/whole_file.h"
-#include "formats/left_out.h"
+#include "model/note_words.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -19,20 +19,34 @@ static const struct {
               {"STL storage", ".stl", UNKNOWN},
               {"Ogre Mesh", NULL, UNKNOWN}};
 
+/* But for those that the library unpacks itself. */
 static bool is_zip(const char *path)
 {
     char head[4] = "";
+    if (path_has_suffix(path, ".zae") || path_has_suffix(path, ".pk3")) return false;
     FILE *file = fopen(path, "rb");
     const bool is_read = file && fread(head, sizeof head, 1, file) == 1;
     if (file) fclose(file);
     return is_read && memcmp(head, "PK\003\004", sizeof head) == 0;
 }
 
+/* Collada's: the library passes over such meshes, and may then miss others that they refer to. */
+static bool has_morphs(const char *path)
+{
+    struct whole_file file;
+    struct error ignored; /* the library has read it */
+    if (!path_has_suffix(path, ".dae") || !whole_file_read(path, &file, &ignored)) return false;
+    const bool has = strstr(file.bytes, "<morph") != NULL;
+    whole_file_free(&file);
+    return has;
+}
+
 static const char *words_for(const char *path, const char *reason)
 {
+    const bool has_no_faces = strcmp(reason, WORDS_NO_FACES) == 0;
+    if ((has_no_faces || strstr(reason, "library reference")) && has_morphs(path)) return WORDS_NO_MORPHS;
+    if (has_no_faces) return reason;
     if (is_zip(path)) return "it is compressed, as a ZIP archive: unpack it, and give what is in it";
-    if (strstr(reason, "library reference") && left_out_morphed(path))
-        return "some of its meshes have morph targets, which the importer does not read: export it without";
     for (size_t i = 0; i < sizeof CAUSES / sizeof *CAUSES; i++)
         if (strstr(reason, CAUSES[i].says) && !(CAUSES[i].unless && path_has_suffix(path, CAUSES[i].unless)))
             return CAUSES[i].words;

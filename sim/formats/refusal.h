@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-/* Always false. `reason`: the library's. */
+/* Always false. `reason`: the library's, or WORDS_NO_FACES. */
 bool refusal_set(const char *path, const char *reason, struct error *err);
 
 #endif

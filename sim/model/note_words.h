@@ -18,9 +18,7 @@
 #define WORDS_BEAMS "objects have beams, which are not drawn"
 #define WORDS_CURVES "curves and surfaces are not drawn: save them as polygons"
 #define WORDS_NO_FACES "there are no faces in it"
-#define WORDS_MORPHED                                                                                                  \
-    "meshes have morph targets, and are missing, as the importer passes over such: export them without"
-#define WORDS_ALL_MORPHED "all its " WORDS_MORPHED
+#define WORDS_NO_MORPHS "it has meshes with morph targets, which the importer does not read: export it without"
 #define WORDS_NO_FILE "there is no such file"
 #define WORDS_WITHOUT "; --no-textures does without"
 #define WORDS_NOT_IN_IT "is not in it: drawn without it"

@@ -256,9 +256,7 @@ static bool add_mesh(struct import *import, const struct aiMesh *mesh)
 static bool allocate(struct import *import)
 {
     struct model *model = import->model;
-    if (model->face_count == 0)
-        return error_set(import->err, "%s: %s", import->path,
-                         left_out_morphed(import->path) ? WORDS_ALL_MORPHED : WORDS_NO_FACES);
+    if (model->face_count == 0) return refusal_set(import->path, WORDS_NO_FACES, import->err);
     model->points = calloc(model->point_count, sizeof *model->points);
     model->corners = calloc(model->corner_count, sizeof *model->corners);
     model->faces = calloc(model->face_count, sizeof *model->faces);
@@ -369,11 +367,10 @@ static bool import_by_library(const char *path, struct model *model, struct erro
     motions_free(&import.motions);
     if (ok) obj_tell(&import.numbers.obj, model);
     if (ok && !import.plain.path && !path_has_suffix(path, ".obj")) {
-        left_out_tell(path, import.scene, model);
+        left_out_tell(import.scene, model);
         if (!path_has_suffix(path, ".fbx") && !path_has_suffix(path, ".dae"))
-            model_note(model,
-                       "its colours, pictures and copies of things may be missing without a word, as of all formats "
-                       "that limner formats does not list");
+            model_note(model, "its colours, pictures and copies of things may be missing without a word, as its reader "
+                              "does not tell what it leaves out");
     }
     import_pictures_free(&import.pictures);
     node_transforms_free(&import.transforms);

@@ -51,9 +51,12 @@ static bool agree(const struct track *a, const struct track *b)
  * there, too. Its own is "Name|NameAction". */
 static bool is_named_after(const char *animation, const struct aiNode *node)
 {
-    const size_t length = strlen(node->mName.data);
-    return animation && length && strncmp(animation, node->mName.data, length) == 0 && animation[length] == '|' &&
-           strncmp(animation + length + 1, node->mName.data, length) == 0;
+    static const char action[] = "Action"; /* a second one is "NameAction.001" */
+    const char *name = node->mName.data;
+    const size_t length = strlen(name);
+    return animation && length && strncmp(animation, name, length) == 0 && animation[length] == '|' &&
+           strncmp(animation + length + 1, name, length) == 0 &&
+           strncmp(animation + 2 * length + 1, action, sizeof action - 1) == 0;
 }
 
 void node_motion_take(struct node_motions *motions, struct node_motion *motion, enum node_part part,
@@ -94,7 +97,7 @@ static bool take_beside(struct node_motion *motion)
     return true;
 }
 
-static void settle(struct node_motion *motion)
+static void choose(struct node_motion *motion)
 {
     if (take_beside(motion)) return;
     const bool moved = tracks_move(motion->tracks), moves = tracks_move(motion->others);
@@ -115,8 +118,10 @@ static void settle(struct node_motion *motion)
 
 void node_motions_settle(struct node_motions *motions)
 {
-    for (size_t i = 0; i < motions->count; i++)
-        settle(&motions->items[i]);
+    for (size_t i = 0; i < motions->count; i++) {
+        choose(&motions->items[i]);
+        motions->items[i].others_are_own = false;
+    }
 }
 
 /* What mirrors is told by the scale: all of it, if there is a choice. */

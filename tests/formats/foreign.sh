@@ -67,7 +67,7 @@ mkdir dae && (cd dae && python3 -c 'import sys; sys.path.insert(0, sys.argv[1]);
 one_square_xml.write_collada(one_square.Thing("morph targets", True))' "$(dirname "$files")") &&
     sed 's|</visual_scene>|<node id="plain"><instance_geometry url="#g"/></node>&|' dae/a.dae >morph.dae
 tap_check "meshes that the library does not read are told as the reason" refuses morph.dae \
-    'some of its meshes have morph targets, which the importer does not read: export it without'
+    'it has meshes with morph targets, which the importer does not read: export it without'
 
 printf 'PK\003\004and what a ZIP archive has' >packed.amf
 tap_check "an archive is called one" refuses packed.amf 'it is compressed, as a ZIP archive: unpack it, and give what is in it'
@@ -84,5 +84,16 @@ own_name() {
     "$limner" compile named.gltf -o named --report >said.txt 2>&1 && cat said.txt && grep -q 'texture leaf (\*0)' said.txt
 }
 tap_check "pictures inside a file go by their own names" own_name
+# Two pictures whose long names differ at their ends are two; a name of its own is the whole name.
+long_names() {
+    long=$(printf '%0600d' 0 | sed 's/.\{120\}/&\//g')
+    mkdir -p "$long" && cp said/*.png "$long/" 2>/dev/null
+    printf 'v 0 0 0\nv 2 0 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 0 1\nmtllib long.mtl\nusemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 3/3 2/2 1/1\n' >long.obj
+    printf 'newmtl a\nmap_Kd %sa.png\nnewmtl b\nmap_Kd %sb.png\n' "$long" "$long" >long.mtl
+    "$limner" compile long.obj --no-textures -o long --report >told 2>&1
+    cat told
+    grep -q 'a.png' told && grep -q 'b.png' told
+}
+tap_check "names of 600 characters are told apart by their ends" long_names
 tap_check "a text with a character that no text has" refuses nul.gltf 'a text in it has the character \u0000'
 tap_done

@@ -79,6 +79,21 @@ static void an_animation_of_its_own_name_counts_first(void **state)
     assert_true(end_of(PART_AT) == 3);
 }
 
+/* An object "box" beside one "box2"; and an animation of its own that moves nothing. */
+static void a_name_is_whole_and_of_one_animation(void **state)
+{
+    (void)state;
+    take(PART_AT, 1, "box|box2Action");
+    node_motions_settle(&motions);
+    take(PART_AT, 0, "box|boxAction");
+    node_motions_settle(&motions);
+    node_motions_settle(&motions); /* an animation of others */
+    assert_true(end_of(PART_AT) == 1);
+    take(PART_AT, 3, "box|boxAction.001");
+    node_motions_settle(&motions);
+    assert_true(end_of(PART_AT) == 3);
+}
+
 static void what_one_says_nothing_of_is_the_other_s(void **state)
 {
     (void)state;
@@ -96,6 +111,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(still_parts_are_not_mixed_with_others, begin, end),
         cmocka_unit_test_setup_teardown(what_moves_counts_before_what_does_not, begin, end),
         cmocka_unit_test_setup_teardown(an_animation_of_its_own_name_counts_first, begin, end),
+        cmocka_unit_test_setup_teardown(a_name_is_whole_and_of_one_animation, begin, end),
         cmocka_unit_test_setup_teardown(what_one_says_nothing_of_is_the_other_s, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
