@@ -146,7 +146,7 @@ progress_of = $(BUILD)/progress $(progress_count)
 object  = $(patsubst %.c,$(BUILD)/host/%.o,$(1))
 # The rooms of sim/ and of firmware/, the lowest first: each includes itself and lower ones (tests/rooms.sh).
 rooms   := base outputs core pictures model levels files gltf formats readers scene trees portals cameras displays glass render accuracy compiler export measure page cli
-firmware_rooms := math view screen pixels lines movers touch pieces routes orders
+firmware_rooms := math view screen pixels movers lines touch pieces orders
 sources := $(filter-out sim/core/core.c,$(wildcard firmware/*.c $(firmware_rooms:%=firmware/%/*.c) hal/*.c hal/linux/*.c hal/hid/*.c hal/mcu/*.c $(rooms:%=sim/%/*.c))) \
 	$(addprefix boards/common/,card.c screen.c test_card.c walker.c)
 library := $(BUILD)/host/liblimner.a

@@ -136,7 +136,7 @@
 
 /* Moving objects in the walk through a tree; hosts have them with every tree. */
 #ifndef LIM_HAS_MOVERS
-#define LIM_HAS_MOVERS LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_PAINTER)
+#define LIM_HAS_MOVERS LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_SCANLINE)
 #endif
 
 /* Movers whose corners their owner changes. No compiled scene knows of them: who wants them says so. */
@@ -283,7 +283,6 @@
 #define LIM_HAS_WALKED LIM_EITHER(LIM_HAS_NEAREST, LIM_HAS_SCANLINE)
 #define LIM_HAS_TREE LIM_EITHER(LIM_HAS_WALKED, LIM_HAS_PAINTER)
 #define LIM_HAS_SORTED LIM_EITHER(LIM_HAS_DEPTH, LIM_HAS_NEWELL)
-#define LIM_HAS_PIECES (LIM_HAS_NEWELL || LIM_HAS_MOVERS) /* polygons are compared, and split */
 #define LIM_HAS_SPANS LIM_EITHER(LIM_HAS_WALKED, LIM_HAS_SORTED)
 #define LIM_HAS_HIDDEN (LIM_HAS_TREE || LIM_HAS_SORTED)
 
@@ -303,8 +302,10 @@
 /* What nearest first leaves to the painter's order where its pools are too small, line by line. */
 #define LIM_HAS_FALLBACK (LIM_HAS_SPANS && (LIM_HAS_TRANSPARENT || LIM_HAS_WIREFRAME))
 
-/* Whether there are lists of polygons, and anything that is painted back to front. */
-#define LIM_HAS_LISTS (LIM_HAS_SORTED || LIM_HAS_MOVERS)
+/* Whether a line that is lent may turn out to be too much: it is painted anew, by the painter or in parts. */
+#define LIM_HAS_LENT (LIM_HAS_FALLBACK || (LIM_HAS_SPANS && LIM_HAS_MOVERS && LIM_HAS_ANTIALIAS))
+
+/* Whether anything is painted back to front. */
 #define LIM_HAS_PAINTED (LIM_HAS_PAINTER || LIM_HAS_FALLBACK)
 
 /* Portals say which boxes can be seen from where: what walks no tree, or tests no boxes, has no use for them. */
@@ -362,7 +363,7 @@
 #define LIM_CUT_VERTICES 8
 
 /* Most vertices of anything that is clipped: cutting polygons adds some. What would have more is left whole. */
-#if !LIM_HAS_PIECES
+#if !LIM_HAS_NEWELL
 #define LIM_PIECE_VERTICES LIM_MAX_VERTICES
 #elif LIM_MAX_VERTICES <= 250 - LIM_CUT_VERTICES
 #define LIM_PIECE_VERTICES (LIM_MAX_VERTICES + LIM_CUT_VERTICES)

@@ -98,7 +98,7 @@ static void connect_painter(struct lim *lim)
     struct lim_painter *painter = lim->painter;
 
     painter->pass = &lim->pass;
-    if (LIM_HAS_LISTS) *painter->sorter = lim->sorter;
+    if (LIM_HAS_SORTED) *painter->sorter = lim->sorter;
     if (LIM_HAS_FALLBACK) *painter->lent = NULL;
     if (LIM_HAS_MESH_LEAVES) *painter->leaf = lim->leaf;
 }
@@ -109,13 +109,19 @@ static void connect_nearest(struct lim *lim)
     struct lim_paint *paint = &nearest->paint;
 
     nearest->pass = paint->pass = &lim->pass;
-    if (LIM_HAS_LISTS) *nearest->sorter = lim->sorter;
+    if (LIM_HAS_SORTED) *nearest->sorter = lim->sorter;
     if (LIM_HAS_FALLBACK) *nearest->painter = lim->painter;
     if (LIM_HAS_MESH_LEAVES) *nearest->leaf = lim->leaf;
     if (LIM_HAS_DELTA) *paint->delta = NULL;
-    if (LIM_HAS_FALLBACK) *paint->lent = NULL;
+    if (LIM_HAS_LENT) *paint->lent = NULL;
     if (LIM_HAS_ANTIALIAS) *paint->smooth = (struct lim_smooth){.sums = NULL};
     if (LIM_HAS_FILLED) nearest->fills = false;
+    if (LIM_HAS_MOVERS) {
+        *nearest->moves = false;
+        *nearest->asked_pixel = LIM_BY_PIXEL_NOT;
+        *nearest->movers = lim->movers;
+        *paint->actives.movers = lim->movers;
+    }
     nearest->bands = 0;
 }
 
@@ -127,11 +133,7 @@ static void connect(struct lim *lim)
     if (LIM_HAS_PORTALS) lim_portals_lend(pass->walk->portals, pass->scene, NULL);
     if (LIM_HAS_WIREFRAME) *pass->wireframe = (struct lim_wireframe){0};
     if (LIM_HAS_OVERLAY) *pass->overlay = NULL;
-    if (LIM_HAS_LISTS) {
-        lim->sorter->pass = pass;
-        lim->sorter->movers = lim->movers;
-        lim->sorter->comparing = false;
-    }
+    if (LIM_HAS_SORTED) lim->sorter->pass = pass;
     if (LIM_HAS_MOVERS) lim->movers->most = lim->movers->given = lim->movers->count = 0;
     if (LIM_HAS_MOVERS && LIM_HAS_LONG) *lim->movers->far = NULL;
     if (LIM_HAS_PAINTED) connect_painter(lim);

@@ -227,7 +227,7 @@ struct lim_ahead {
 
 struct lim {
     struct lim_pass pass;
-    LIM_OPTIONAL(struct lim_sorter, sorter, LIM_HAS_LISTS);
+    LIM_OPTIONAL(struct lim_sorter, sorter, LIM_HAS_SORTED);
     LIM_OPTIONAL(struct lim_movers, movers, LIM_HAS_MOVERS);
     LIM_OPTIONAL(struct lim_mesh_leaf, leaf, LIM_HAS_MESH_LEAVES);
     LIM_OPTIONAL(struct lim_painter, painter, LIM_HAS_PAINTED);

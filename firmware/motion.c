@@ -159,7 +159,6 @@ void lim_moved_at(const struct lim_moved *moved, uint16_t count, uint32_t time_m
     for (uint16_t i = 0; i < count; i++) {
         instances[i].object = moved[i].object;
         instances[i].finer_bits = moved[i].finer_bits;
-        instances[i].by_centre = moved[i].by_centre;
         if (LIM_HAS_LONG) *instances[i].coarser_bits = *moved[i].coarser_bits;
         lim_motion_at(&moved[i].motion, time_ms, &instances[i]);
     }

@@ -73,6 +73,14 @@ struct lim_mover {
     int32_t radius_q12;      /* negative: it is left out */
     int32_t half_q12[3];     /* likewise: of a box along the scene's axes */
     int32_t own_half_q12[3]; /* and of one along its own */
+    /* Of this walk (meet.c). */
+    struct lim_rect rect;  /* its pixels are within */
+    uint32_t against;      /* movers with which no order of drawing is right, modulo 32: crowd.c compares them */
+    lim_index first, last; /* nodes on the way to the first and the last place that it reaches to */
+    uint16_t next;         /* of those that are on their way, or LIM_NONE */
+    uint8_t stage;         /* where it is on its way */
+    uint8_t met;           /* enum lim_met, of the polygon that is being retained */
+    bool crowded;          /* it is compared with any, or with what stands still */
     LIM_OPTIONAL(int16_t, to_q14, 3 * LIM_HAS_LIGHT); /* towards the light, in its own axes */
     /* Set with the view's rows. first_texture is LIM_NONE: it shows the colours of its records. */
     LIM_OPTIONAL(struct lim_texturing, texturing, LIM_HAS_TEXTURE);
@@ -81,7 +89,7 @@ struct lim_mover {
 /* What is due when a node's near subtree is done: route.h. */
 struct lim_route_pending {
     lim_index node;
-    uint16_t list; /* for its far subtree, or LIM_NONE */
+    uint8_t flags; /* of meet.c */
     int8_t side;   /* of the eye */
 };
 
@@ -93,27 +101,11 @@ struct lim_placed {
 };
 enum { LIM_PLACED_CORNERS = 32 };
 
-/* A plane of a mover in the static scene. */
-struct lim_placed_plane {
-    uint16_t mover; /* or LIM_NONE */
-    const LIM_FLASH struct lim_plane_ref *ref;
-    struct lim_plane_unpacked plane;
-};
-enum { LIM_PLACED_PLANES = 4 };
-
 /* Corners of a piece. */
 struct lim_corners {
     uint8_t n;
-    LIM_OPTIONAL(int8_t, exponent, LIM_HAS_LONG); /* in a long scene: lim_mover_exponent() */
-    int32_t at_q12[LIM_PIECE_VERTICES][3];        /* |coordinate| <= 2^27, of movers 2^28 */
+    int32_t at_q12[LIM_PIECE_VERTICES][3]; /* |coordinate| <= 2^27 */
 };
-
-/* Those of the piece that a cut has made; LIM_NONE: of none. Pieces in front and behind have a place each. */
-struct lim_kept_corners {
-    uint16_t cut;
-    struct lim_corners corners;
-};
-enum { LIM_KEPT_CORNERS = 2 };
 
 struct lim_movers {
     const struct lim_instance *instances; /* the caller's */
@@ -126,13 +118,10 @@ struct lim_movers {
     struct lim_route_pending *stack, *object_stack;
     uint16_t object_depth;
     struct lim_camera camera;
-    int32_t axes_q30[9];                               /* the camera's */
-    int32_t ahead_q28[3];                              /* likewise */
-    lim_word_s64 eye_ahead_q40;                        /* how far along that the eye is */
-    struct lim_placed placed[LIM_PLACED_CORNERS];      /* of this frame, lately */
-    struct lim_placed_plane planes[LIM_PLACED_PLANES]; /* likewise */
-    struct lim_kept_corners kept[LIM_KEPT_CORNERS];    /* of this walk, lately */
-    struct lim_view world;                             /* lim_movers_world() */
+    int32_t axes_q30[9];                          /* the camera's */
+    int32_t ahead_q28[3];                         /* likewise */
+    lim_word_s64 eye_ahead_q40;                   /* how far along that the eye is */
+    struct lim_placed placed[LIM_PLACED_CORNERS]; /* of this frame, lately */
     LIM_OPTIONAL(struct lim_light, light, LIM_HAS_LIGHT);
     LIM_OPTIONAL(struct lim_texturing *, texturing, LIM_HAS_TEXTURE); /* of the frame; NULL: without textures */
     LIM_OPTIONAL(struct lim_cull, cull, LIM_HAS_CULL);                /* of the object that is being drawn whole */
@@ -150,30 +139,15 @@ struct lim_newell_options {
     uint32_t most;     /* comparisons of a list, after which it is painted as it is; 0: LIM_NEWELL_EFFORT (config.h) */
 };
 
-/* Holds something that moves, along the scene's axes: in steps of two units, as it may be 2^16 of them away. */
-struct lim_extent {
-    int16_t low[3], high[3];
-};
-
 /* What LIM_NEWELL has to know of an entry of the sorted list beside its farthest point. */
 struct lim_newell_polygon {
-    __extension__ union { /* C++ wants names for both */
-        struct {
-            int32_t near_qv;      /* view-space z of its nearest vertex */
-            struct lim_rect rect; /* holds every pixel of it */
-        };
-        struct lim_extent extent; /* of a mover's part, on its way down the tree */
-    };
-    lim_index node;      /* whose run it is in */
-    uint16_t cuts;       /* the last cut that made this piece, or LIM_NONE: it is whole */
-    bool eye_in_front;   /* of its plane */
-    bool swapped : 1;    /* it goes before a P already */
-    bool last : 1;       /* of its part of the list: what follows may be painted after all of that */
-    bool has_extent : 1; /* it is known */
-    bool farthest : 1;   /* of the pieces that newell.c has made of a mover's polygon */
-    bool grouped : 1;    /* its object is among those that mover_order.c takes next */
-    uint8_t sides : 2;   /* that it reaches to, of the plane of the node that it is at: LIM_SIDE_... (piece.h) */
-    uint16_t owner;      /* the mover that it belongs to, or LIM_NONE */
+    int32_t near_qv;      /* view-space z of its nearest vertex */
+    struct lim_rect rect; /* holds every pixel of it */
+    lim_index node;       /* whose run it is in */
+    uint16_t cuts;        /* the last cut that made this piece, or LIM_NONE: it is whole */
+    bool eye_in_front;    /* of its plane */
+    bool swapped : 1;     /* it goes before a P already */
+    bool last : 1;        /* of its part of the list: what follows may be painted after all of that */
 };
 
 /* A piece lies on one side of the plane of another entry. */
@@ -199,37 +173,35 @@ struct lim_sorted {
     uint16_t next;    /* in the list, or LIM_NONE */
 };
 
-/* A list of the scene's polygons, once a frame; or of movers and their pieces, in the walk through a tree. */
+/* A list of the scene's polygons, once a frame. */
 struct lim_sorter {
     struct lim_pass *pass;
-    struct lim_movers *movers; /* whose parts entries may be */
     struct lim_sorted *list;
     uint16_t size, used;
     uint16_t first; /* of the list; once the frame is ordered, the nearest */
-    bool comparing; /* movers by newell.c */
-    LIM_OPTIONAL(struct lim_newell, newell, LIM_HAS_PIECES);
+    LIM_OPTIONAL(struct lim_newell, newell, LIM_HAS_NEWELL);
 };
 
 /* Whether the frame has movers. */
-static inline bool lim_moves(const struct lim_sorter *sorter)
+static inline bool lim_moves(const struct lim_movers *movers)
 {
-    return LIM_HAS_MOVERS && sorter->movers->count > 0;
+    return LIM_HAS_MOVERS && movers->count > 0;
 }
 
+/* A way through a tree (route.h). */
 struct lim_route {
-    struct lim_sorter *sorter; /* of the lists */
+    struct lim_pass *pass;
     const struct lim_scene *scene;
-    uint16_t mover; /* that is walked through, or LIM_NONE: the static scene */
     const struct lim_eye *eye;
     struct lim_cull *cull; /* the open view in the scene's coordinates */
     const uint8_t *shown;  /* NULL: all (portals.h) */
     struct lim_route_pending *stack;
     uint16_t depth;
     lim_index next; /* the subtree to enter, or LIM_NO_INDEX */
-    uint16_t list;  /* what moves in it */
     lim_index node; /* whose run was handed out last */
     int8_t side;    /* of the eye there */
-    bool back_to_front;
+    uint16_t list;  /* movers that are on their way, or LIM_NONE */
+    struct lim_movers *movers;
 };
 
 /* Changes --------------------------------------------------------------------------------------------------------- */
@@ -275,7 +247,7 @@ struct lim_delta {
 
 struct lim_painter {
     struct lim_pass *pass;
-    LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS); /* of a sorted method's polygons, or of movers */
+    LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_SORTED);
     LIM_OPTIONAL(uint16_t *, lent, LIM_HAS_FALLBACK); /* the line that nearest first could not finish, or NULL */
     LIM_OPTIONAL(struct lim_mesh_leaf *, leaf, LIM_HAS_MESH_LEAVES);
 };
@@ -297,11 +269,33 @@ struct lim_progress {
     uint16_t entry; /* of the sorted list, the next */
 };
 
+/* A polygon that a band of one pixel is left to, or may be (one_pixel.c). */
+struct lim_pixel_polygon {
+    struct lim_met_polygon met;
+    int16_t x0, x1;  /* what it has of the line */
+    uint16_t number; /* in the order of the walk; 0: there is none */
+    uint16_t colour; /* there, as it lies in memory */
+    uint8_t alpha;
+    LIM_OPTIONAL(uint16_t, samples, LIM_HAS_ANTIALIAS); /* of the pixel, that no nearer one has; 0: there is none */
+    LIM_OPTIONAL(uint32_t, share, LIM_HAS_ANTIALIAS);   /* lim_smooth_share() */
+};
+
+/* How a band of one pixel is collected: as any; one polygon alone is retained, the nearest; or none is, but the nearest
+ * is found that has samples, or is opaque, or the farthest layer before the one that was found last. */
+enum lim_by_pixel {
+    LIM_BY_PIXEL_NOT,
+    LIM_BY_PIXEL_RETAINED,
+    LIM_BY_PIXEL_SAMPLES,
+    LIM_BY_PIXEL_OPAQUE,
+    LIM_BY_PIXEL_LAYERS
+};
+
 enum { LIM_POLYGONS_PER_SHRINK = 20 }; /* the open view is drawn together this often */
 
 struct lim_nearest {
     struct lim_pass *pass;
-    LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_LISTS);      /* of a sorted method's polygons, or of movers */
+    LIM_OPTIONAL(struct lim_sorter *, sorter, LIM_HAS_SORTED);
+    LIM_OPTIONAL(struct lim_movers *, movers, LIM_HAS_MOVERS);
     LIM_OPTIONAL(struct lim_painter *, painter, LIM_HAS_FALLBACK); /* for lines for which a pool is too small */
     LIM_OPTIONAL(struct lim_mesh_leaf *, leaf, LIM_HAS_MESH_LEAVES);
     struct lim_spans spans;
@@ -313,6 +307,15 @@ struct lim_nearest {
     uint8_t since_shrink;                                 /* polygons since the open view was drawn together */
     bool retains_all;                                     /* by scan lines, in this band */
     bool fills;                                           /* polygons are painted as they come */
+    LIM_OPTIONAL(bool, moves, LIM_HAS_MOVERS);            /* what comes is a mover's: it closes nothing */
+    LIM_OPTIONAL(uint8_t, by_pixel,
+                 LIM_HAS_MOVERS); /* enum lim_by_pixel, in this band; and in the next one, if not 0: */
+    LIM_OPTIONAL(uint8_t, asked_pixel, LIM_HAS_MOVERS);
+    LIM_OPTIONAL(struct lim_pixel_polygon, found, LIM_HAS_MOVERS);
+    LIM_OPTIONAL(struct lim_pixel_polygon, last, LIM_HAS_MOVERS);  /* of the walk before */
+    LIM_OPTIONAL(struct lim_pixel_polygon, comes, LIM_HAS_MOVERS); /* the one that is collected */
+    LIM_OPTIONAL(uint16_t, numbered, LIM_HAS_MOVERS);              /* those that have come */
+    LIM_OPTIONAL(uint16_t *, pixels, LIM_HAS_MOVERS);              /* their line */
     struct lim_progress progress;
 };
 
@@ -375,10 +378,8 @@ struct lim_convex {
      ~(LIM_ALIGNOF(struct lim_crossing) - 1))
 
 /* For lim_movers_init(): `depth` of the static scene, `object_depth` and the rest as struct lim_movers_limits. */
-#define LIM_MOVERS_MEM_B(depth, instance_count, object_depth, entry_count)                                             \
+#define LIM_MOVERS_MEM_B(depth, instance_count, object_depth)                                                          \
     LIM_MEM_ALIGNED_B((instance_count) * (sizeof(struct lim_mover) + LIM_HAS_LONG * sizeof(struct lim_instance)) +     \
-                      (entry_count) *                                                                                  \
-                          (sizeof(struct lim_sorted) + sizeof(struct lim_newell_polygon) + sizeof(struct lim_cut)) +   \
                       LIM_VIEW_CACHE_ENTRIES * sizeof(struct lim_view_cached) +                                        \
                       (LIM_CAST(size_t, depth) + (object_depth)) * sizeof(struct lim_route_pending))
 

@@ -12,7 +12,7 @@
 
 /* The form of a scene's NAME.c and NAME.h, which say for which one they were written. It changes whenever files that
  * were written before would compile to something wrong. */
-#define LIM_SCENE_FORMAT 11
+#define LIM_SCENE_FORMAT 12
 
 /* An index into a scene's arrays, and a word of its polygons. Wide scenes have more than 16 bits can count. */
 #if LIM_HAS_WIDE
@@ -415,12 +415,12 @@ static inline const LIM_FLASH struct lim_plane *lim_plane_at(const LIM_FLASH str
 /* Moving objects: meshes with compiled scenes of their own, placed anew in each frame.
  *
  *     struct lim_instance instances[2] = {{.object = &ball_scene}, {.object = &door_scene}};
- *     err = lim_movers_init(&lim, mover_mem, sizeof mover_mem, &(struct lim_movers_limits){2, 12, 300, 0, 0});
+ *     err = lim_movers_init(&lim, mover_mem, sizeof mover_mem, &(struct lim_movers_limits){2, 12, 0, 0});
  *     lim_instance_turn(&instances[1], yaw, 0, 0);
  *     err = lim_movers_frame(&lim, &camera, instances, 2);
  *
- * They are drawn by the methods that walk a tree, LIM_NEAREST_FIRST and LIM_PAINTER. The array is the caller's and is
- * read while a frame is drawn; nothing of it is kept. */
+ * They are drawn by LIM_NEAREST_FIRST and LIM_SCANLINE; by other methods all are left out. The array is the caller's
+ * and is read while a frame is drawn; nothing of it is kept. */
 
 LIM_C_BEGIN
 LIM_OPTIONAL_BEGIN
@@ -436,18 +436,16 @@ struct lim_instance {
      * on AVR, whose flash is elsewhere). Tree, planes and boxes mean nothing then: each polygon's plane is that of its
      * first three corners, so triangles are best, and all are sorted anew. */
     bool deforms;
-    bool by_centre; /* it enters the walk whole, at its centre: fast, and wrong where it reaches through a plane */
     LIM_OPTIONAL(uint8_t, coarser_bits, LIM_HAS_LONG); /* or its unit is 2^coarser_bits of that scene's */
     LIM_OPTIONAL(int32_t, origin, 3 * LIM_HAS_LONG);   /* where at_q8 counts from, units */
 };
 
 /* What the movers of a frame may take. All of an object has to lie within 2^16 units of the scene's origin, and the
  * eye within 2^20 of the object's own units of it. Instances that do not, and those beyond the declared number, are
- * left out. Where entries run out, objects enter by their centres. All of it is counted in struct lim_mover_stats. */
+ * left out, and counted in struct lim_mover_stats. */
 struct lim_movers_limits {
-    uint16_t instances; /* the most, 0..LIM_INSTANCES_MAX */
-    uint16_t depth;     /* the greatest limits.depth of any object */
-    uint16_t entries;   /* polygons of objects that reach through planes, pieces, planes that cut them; >= instances */
+    uint16_t instances;     /* the most, 0..LIM_INSTANCES_MAX */
+    uint16_t depth;         /* the greatest limits.depth of any object */
     uint16_t leaf_vertices; /* the greatest of any object's limits; 0: no object has a mesh leaf */
     uint16_t leaf_polygons; /* likewise */
 };
@@ -477,7 +475,6 @@ struct lim_moved {
     const struct lim_scene *object;
     struct lim_motion motion;
     uint8_t finer_bits;                                /* lim_instance.finer_bits */
-    bool by_centre;                                    /* lim_instance.by_centre: `limner compile --movers centre` */
     LIM_OPTIONAL(uint8_t, coarser_bits, LIM_HAS_LONG); /* lim_instance.coarser_bits */
 };
 LIM_OPTIONAL_END

@@ -98,7 +98,7 @@ void lim_refresh(struct lim *lim)
 }
 #endif
 
-#if LIM_HAS_PIECES
+#if LIM_HAS_NEWELL
 void lim_newell_set(struct lim *lim, const struct lim_newell_options *options)
 {
     LIM_ASSERT(lim && options);
@@ -118,7 +118,7 @@ void lim_light_set(struct lim *lim, const struct lim_light *light)
 static size_t without_leaf_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
 {
     LIM_ASSERT(scene && limits);
-    return LIM_MOVERS_MEM_B(scene->limits.depth, limits->instances, limits->depth, limits->entries);
+    return LIM_MOVERS_MEM_B(scene->limits.depth, limits->instances, limits->depth);
 }
 
 size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_limits *limits)
@@ -127,12 +127,19 @@ size_t lim_movers_mem_b(const struct lim_scene *scene, const struct lim_movers_l
            (LIM_HAS_MESH_LEAVES ? LIM_MESH_LEAF_MEM_B(limits->leaf_vertices, limits->leaf_polygons) : 0);
 }
 
+/* Whether movers are drawn by the target's method: nearest first from a tree, by either way of painting. */
+static bool walks(const struct lim_target *target)
+{
+    return LIM_HAS_WALKED && !LIM_IS_PAINTER(target) && !LIM_IS_SORTED(target) && !LIM_IS_CONVEX(target) &&
+           !LIM_IS_MESH(target);
+}
+
 /* Of a polygon that can be retained, as a band of one pixel asks for. */
 static uint16_t most_mover_corners(const struct lim *lim)
 {
     const uint16_t most = LIM_MAX_VERTICES, taken = LIM_RETAINED_HEAD_CELLS + CLIP_PLANES;
 
-    if (!LIM_HAS_WALKED || LIM_IS_PAINTER(&lim->pass.target)) return most;
+    if (!walks(&lim->pass.target)) return most;
     const uint16_t cells = lim->nearest->retained.whole;
     return cells < most + taken ? (uint16_t)(cells - taken) : most;
 }
@@ -151,30 +158,21 @@ int lim_movers_init(struct lim *lim, void *mem, size_t mem_b, const struct lim_m
 {
     LIM_ASSERT(lim && lim->pass.scene && limits && mem && (uintptr_t)mem % LIM_ALIGNOF(void *) == 0);
     struct lim_movers *movers = lim->movers;
-    struct lim_sorter *sorter = lim->sorter;
-    struct lim_newell *newell = sorter->newell;
     const struct lim_scene *scene = lim->pass.scene;
     uint8_t *at = mem;
 
-    LIM_ASSERT(limits->instances <= LIM_INSTANCES_MAX && limits->instances <= limits->entries);
-    LIM_ASSERT(limits->entries <= LIM_SORTED_MAX);
+    LIM_ASSERT(limits->instances <= LIM_INSTANCES_MAX);
     if (mem_b < lim_movers_mem_b(scene, limits)) return LIM_ERR_MEMORY;
     lim_drop_ahead(lim);
     if (LIM_HAS_LIGHT) movers->light->on = false;
     movers->most = limits->instances;
     movers->object_depth = limits->depth;
     movers->most_corners = most_mover_corners(lim);
-    if (!LIM_HAS_TREE || LIM_IS_SORTED(&lim->pass.target) || LIM_IS_CONVEX(&lim->pass.target)) movers->most = 0;
+    if (!walks(&lim->pass.target)) movers->most = 0;
     if (!movers->most) return LIM_OK;
     movers->movers = lim_mem_cut(&at, limits->instances * sizeof *movers->movers);
     if (LIM_HAS_LONG) *movers->copies = lim_mem_cut(&at, limits->instances * sizeof **movers->copies);
-    sorter->size = limits->entries;
-    sorter->list = lim_mem_cut(&at, limits->entries * sizeof *sorter->list);
-    newell->polygons = lim_mem_cut(&at, limits->entries * sizeof *newell->polygons);
-    newell->cut_size = limits->entries;
-    newell->options = (struct lim_newell_options){.most = 0};
     movers->cache = lim_mem_cut(&at, LIM_VIEW_CACHE_ENTRIES * sizeof *movers->cache);
-    newell->cuts = lim_mem_cut(&at, limits->entries * sizeof *newell->cuts);
     movers->stack = lim_mem_cut(&at, scene->limits.depth * sizeof *movers->stack);
     movers->object_stack = lim_mem_cut(&at, limits->depth * sizeof *movers->object_stack);
     if (LIM_HAS_MESH_LEAVES) lend_mesh_leaf(movers, (uint8_t *)mem + without_leaf_b(scene, limits), limits);

@@ -14,6 +14,8 @@
 #include "texturing.h"
 
 struct lim_delta;
+struct lim_crowd_cut;
+struct lim_movers;
 struct lim_open_strip;
 LIM_OPTIONAL_BEGIN
 
@@ -60,7 +62,7 @@ enum lim_newell_test {
     LIM_TESTS
 };
 
-/* Why an entry was left to its farthest point, in LIM_NEWELL and where movers meet. */
+/* Why an entry was left to its farthest point. */
 enum lim_forced {
     LIM_FORCED_ROOM,    /* no memory for another piece */
     LIM_FORCED_CORNERS, /* a piece would have too many corners */
@@ -82,13 +84,11 @@ struct lim_newell_stats {
 
 /* What became of a frame's instances. */
 struct lim_mover_stats {
-    uint32_t left_out; /* without a mesh, beyond the number, too far away, or drawn by a method without a tree */
-    uint32_t hidden;   /* out of view */
-    uint32_t divided;  /* instances, or parts of such, that a plane took apart; or that were taken by their polygons */
-    uint32_t pieces;   /* polygons of parts that were told from their wholes */
-    uint32_t forced;   /* left to their centres, because there was no room: perhaps wrong */
-    uint32_t entries;  /* most in use in one walk, of entries or of cuts */
-    uint32_t unsorted; /* lists that met a leaf's polygons without being sorted with them: perhaps wrong */
+    uint32_t left_out;    /* without a mesh, beyond the number, too far away, or drawn by a method without a tree */
+    uint32_t hidden;      /* out of view */
+    uint32_t crowded;     /* found to be compared on lines, with what they reach through or each other, in all walks */
+    uint32_t comparisons; /* of two polygons on one line */
+    uint32_t cuts;        /* of these, that made one hide some of the other against their order */
 };
 
 /* What delta output sent of a frame. */
@@ -119,7 +119,7 @@ struct lim_stats {
 #if LIM_HAS_SORTED
     uint32_t sorted; /* entries of the sorted list, pieces included */
 #endif
-#if LIM_HAS_PIECES
+#if LIM_HAS_NEWELL
     struct lim_newell_stats newell;
 #endif
 #if LIM_HAS_MOVERS
@@ -225,8 +225,10 @@ struct lim_eye {
 /* 64 bits that lie as words do: so what holds a part with some of them is not larger where that part is left out. */
 #if defined(__GNUC__) && !LIM_8_BIT
 typedef int64_t __attribute__((aligned(4))) lim_word_s64;
+typedef uint64_t __attribute__((aligned(4))) lim_word_u64;
 #else
 typedef int64_t lim_word_s64;
+typedef uint64_t lim_word_u64;
 #endif
 
 /* A plane of a scene, n . p = d. */
@@ -425,6 +427,10 @@ union lim_retained_cell {
         uint16_t colour; /* as it lies in memory; with LIM_RETAINED_TEXTURE lim_screen_polygon.texture */
     } look;
     struct lim_point at;
+    struct {
+        uint16_t owner, spare; /* a mover, or LIM_STILL_MET */
+    } met;
+    uint32_t word;
     uint16_t alpha;
     uint16_t hidden[sizeof(struct lim_point) / 2];
 };
@@ -432,17 +438,59 @@ union lim_retained_cell {
 enum { LIM_RETAINED_HEAD_CELLS = 2 };
 #define LIM_RETAINED_TRANSPARENT 0x8000u
 #define LIM_RETAINED_TEXTURE 0x4000u
+#define LIM_RETAINED_MET 0x2000u /* cells before it tell of movers: meet.h */
 
 struct lim_retained {
     union lim_retained_cell *cells;
     uint16_t used;
-    uint16_t size;                      /* in this band: cells from here on are for others */
-    uint16_t end;                       /* likewise in this frame */
-    uint16_t whole;                     /* all cells of the memory that gaps share */
-    uint16_t pending;                   /* cells that are written before they are used, and that gaps may not take */
-    bool overhangs;                     /* a polygon may reach beyond the screen's left or right side */
-    bool transparent, textured, masked; /* one of the polygons is; what is masked is not transparent */
+    uint16_t size;    /* in this band: cells from here on are for others */
+    uint16_t end;     /* likewise in this frame */
+    uint16_t whole;   /* all cells of the memory that gaps share */
+    uint16_t pending; /* cells that are written before they are used, and that gaps may not take */
+    LIM_OPTIONAL(uint16_t, told, LIM_HAS_MOVERS); /* cells before the next polygon, which tell of movers (meet.h) */
+    LIM_OPTIONAL(uint16_t, last, LIM_HAS_MOVERS); /* the last polygon of which they told */
+    bool overhangs;                               /* a polygon may reach beyond the screen's left or right side */
+    bool transparent, textured, masked;           /* one of the polygons is; what is masked is not transparent */
 };
+
+/* A polygon that movers may have to be compared with, or one of theirs. */
+struct lim_met_polygon {
+    uint16_t owner; /* the mover, LIM_STILL_MET, or LIM_NONE: neither, or none */
+    lim_index record;
+    lim_index node; /* of what stands still: of whose run it is */
+};
+
+/* near / z at the centre of a pixel, at the screen's first one and what a step adds; modulo 2^32. A long scene's are in
+ * Q60. */
+#if LIM_HAS_LONG
+typedef lim_word_u64 lim_near_word;
+typedef int64_t lim_near_difference;
+#else
+typedef uint32_t lim_near_word;
+typedef int32_t lim_near_difference;
+#endif
+enum { LIM_NEAR_FAR_BITS = 30 };
+struct lim_near_plane {
+    lim_near_word at_q30, x_q30, y_q30;
+};
+
+/* Of a polygon of something that moves, or that it has met. */
+struct lim_near {
+    struct lim_near_plane plane; /* if it is known */
+    lim_near_word row_q30;       /* likewise: on this line, at the screen's first pixel */
+    struct lim_active *next;     /* of movers', or of what stands still: from near to far, or NULL */
+    struct lim_crowd_cut *cuts;  /* of this line */
+    struct lim_active *group;    /* of the first of an object's: behind its last, or NULL */
+    int16_t x0, x1;              /* of this line: what it has of the screen */
+    int16_t group_x0, group_x1;  /* likewise: what a group has lies between */
+    int16_t y;                   /* the line of which these are */
+    uint16_t owner;              /* the mover, LIM_STILL_MET, or LIM_NONE: it is not compared */
+    uint16_t still[2];           /* polygons that stand still and that it was asked of lately, */
+    uint8_t met[2];              /* and what each is to it: enum lim_met */
+    bool known;
+};
+#define LIM_STILL_MET (LIM_NONE - 1u)
+enum { LIM_CROWD_CUT_B = 12 }; /* of a struct lim_crowd_cut, where pointers have 32 bits */
 
 struct lim_active {
     struct lim_active *next; /* in a list, or NULL */
@@ -456,15 +504,23 @@ struct lim_active {
     uint16_t colour;                                  /* as it lies in memory */
     LIM_OPTIONAL(uint32_t, share, LIM_HAS_ANTIALIAS); /* the colour of a sample: lim_smooth_share() */
     LIM_OPTIONAL(struct lim_gradients, gradients, LIM_HAS_TEXTURE); /* if it has a texture */
+    LIM_OPTIONAL(struct lim_near, near, LIM_HAS_MOVERS);
 };
 
 struct lim_actives {
     uint8_t *pool;     /* memory for these alone; the cache of vertices and the lines follow it */
     uint8_t *at, *end; /* what was never used, here or between cells and gaps */
-    LIM_OPTIONAL(uint32_t, between_b, LIM_HAS_STATS); /* there in all, as it is counted */
-    uint16_t fresh;                                   /* taken from there, if LIM_HAS_ANTIALIAS */
-    uint16_t used;                                    /* at this time, if LIM_HAS_STATS */
-    bool in_pool;                                     /* `at` is in the pool, or behind it */
+    LIM_OPTIONAL(uint32_t, between_b, LIM_HAS_STATS);          /* there in all, as it is counted */
+    uint16_t fresh;                                            /* taken from there, if LIM_HAS_ANTIALIAS */
+    uint16_t used;                                             /* at this time, if LIM_HAS_STATS or LIM_HAS_MOVERS */
+    bool in_pool;                                              /* `at` is in the pool, or behind it */
+    LIM_OPTIONAL(struct lim_active *, moving, LIM_HAS_MOVERS); /* those that are compared (crowd.h), nearest first: */
+    LIM_OPTIONAL(struct lim_active *, met, LIM_HAS_MOVERS);    /* movers', and what stands still */
+    LIM_OPTIONAL(uint16_t, cut_count, LIM_HAS_MOVERS);         /* the cuts that they have on this line */
+    LIM_OPTIONAL(bool, crowded, LIM_HAS_MOVERS);               /* cuts have taken idle memory */
+    LIM_OPTIONAL(bool, grouped, LIM_HAS_MOVERS);               /* lim_near.group is set */
+    LIM_OPTIONAL(uint8_t *, cuts_end, LIM_HAS_MOVERS);         /* what is idle behind them */
+    LIM_OPTIONAL(struct lim_movers *, movers, LIM_HAS_MOVERS);
     struct lim_active *first, *free; /* lists through `next`: what crosses the line, and what was given back */
 };
 
@@ -488,7 +544,7 @@ struct lim_smooth {
 struct lim_paint {
     struct lim_pass *pass;
     LIM_OPTIONAL(struct lim_delta *, delta, LIM_HAS_DELTA); /* or NULL */
-    LIM_OPTIONAL(uint16_t *, lent, LIM_HAS_FALLBACK);       /* the line that could not be finished, or NULL */
+    LIM_OPTIONAL(uint16_t *, lent, LIM_HAS_LENT);           /* the line that could not be finished, or NULL */
     struct lim_actives actives;
     uint16_t background; /* as it lies in memory */
     LIM_OPTIONAL(struct lim_layers, layers, LIM_HAS_TRANSPARENT);

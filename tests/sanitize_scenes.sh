@@ -16,7 +16,7 @@ methods='nearest scanline painter bsp clusters axis octree depth newell portals 
 profiles='draft fast fine exact'
 panels='memory framebuffer st7789 st7789:rgb444 ili9488:rgb666 ssd1327 ssd0323 pcd8544 ssd1306 ls013b7dh03 gc9a01'
 options='-- --wireframe --antialias --delta --delta=3 --unlit --wireframe=00FF00,000000 --ids --antialias'
-movers='clipped/baked centre/baked clipped/turning off/baked centre/turning'
+movers='on/baked on/turning off/baked'
 lenses='60/ 150/ 2/ 120/0.05 30/0.2'
 sizes='48x36 1x1 64x64 7x84 84x7 33x17 84x48'
 orders='-- --newell=planes --newell=one --newell=planes,one'

@@ -70,7 +70,7 @@ program_is_accepted() { # COMPILER
 TEAPOT_MEMORY(240, 240);
 
 static uint32_t antialias[LIM_ANTIALIAS_MEM_B(240) / 4], delta[LIM_DELTA_MEM_B(240, 240, 1000) / 4],
-    movers[LIM_MOVERS_MEM_B(10, 4, 10, 100) / 4], portals[LIM_PORTALS_MEM_B(100, 10) / 4],
+    movers[LIM_MOVERS_MEM_B(10, 4, 10) / 4], portals[LIM_PORTALS_MEM_B(100, 10) / 4],
     mesh[LIM_MESH_MEM_B(240, 100, 100, 10) / 4 + LIM_MESH_LEAF_MEM_B(10, 10) / 4];
 static const lim_camera camera = {TEAPOT_POINT_Q8(0, 0.5, 3), LIM_DEGREES(-22.5), LIM_DEGREES(0), LIM_DEGREES(360),
     1u << 28, 1u << 28, LIM_CAMERA_END(LIM_UNITS_Q8(1.5) + LIM_UNITS(2.0) + TEAPOT_M_Q8(0.1), 0, 0, 0)};

@@ -5,6 +5,8 @@
  */
 #include "lines/active.h"
 
+#include "movers/meet.h"
+
 #if LIM_HAS_SPANS
 
 /* Bits of an address that are 0 where an active polygon may lie. */
@@ -16,10 +18,12 @@ static uint8_t *aligned(uint8_t *at)
     return (uint8_t *)(((uintptr_t)at + ALIGN_MASK) & ~(uintptr_t)ALIGN_MASK);
 }
 
-/* Pass one is done: neither cells nor gaps get any more. Returns where gaps begin. */
-static uint8_t *take_what_is_left(struct lim_spans *spans)
+/* Pass one is done: neither cells nor gaps get any more. Returns where gaps begin. What moves has closed none: for that
+ * gaps keep half of what is left. */
+static uint8_t *take_what_is_left(struct lim_spans *spans, bool shares)
 {
-    spans->lowest = spans->fresh;
+    const uint16_t middle = (uint16_t)((spans->lowest + spans->fresh) / 2);
+    spans->lowest = shares && middle < spans->fresh ? middle : spans->fresh;
     if (LIM_HAS_ANTIALIAS && lim_spans_have_strips(spans)) {
         const uint16_t kept =
             *spans->kept ? *spans->kept : 1; /* a line of strips takes one before anything is closed */
@@ -36,13 +40,20 @@ static LIM_IF_CALLED uint32_t counted_between_b(const struct lim_spans *spans)
            spans->retained->used * lim_share_cell_b(spans);
 }
 
-void lim_actives_start(struct lim_actives *actives, struct lim_spans *spans)
+void lim_actives_start(struct lim_actives *actives, struct lim_spans *spans, bool by_gaps)
 {
     actives->first = actives->free = NULL;
-    if (LIM_HAS_STATS) actives->used = 0;
+    if (LIM_HAS_STATS || LIM_HAS_MOVERS) actives->used = 0;
     if (LIM_HAS_ANTIALIAS) actives->fresh = 0;
+    if (LIM_HAS_MOVERS) {
+        *actives->moving = NULL;
+        *actives->met = NULL;
+        *actives->cut_count = 0;
+        *actives->crowded = false;
+        *actives->grouped = false;
+    }
     actives->in_pool = false;
-    actives->end = take_what_is_left(spans);
+    actives->end = take_what_is_left(spans, LIM_HAS_MOVERS && by_gaps && lim_moves(*actives->movers));
     actives->at = aligned((uint8_t *)&spans->retained->cells[spans->retained->used]);
     if (!LIM_HAS_STATS) return;
     *actives->between_b = counted_between_b(spans);
@@ -56,6 +67,18 @@ static LIM_IF_CALLED bool is_full(const struct lim_actives *actives, const struc
     const uint32_t line_b = y * (uint32_t)sizeof(struct lim_line);
 
     return actives->used >= *actives->between_b / counted->active_b + (counted->idle_b + line_b) / counted->active_b;
+}
+
+uint32_t lim_actives_counted_idle_b(const struct lim_actives *actives, const struct lim_spans *spans, uint16_t y)
+{
+    if (!LIM_HAS_STATS) return 0;
+    const struct lim_counted *const counted = spans->counted;
+    const size_t taken = actives->in_pool ? (size_t)(actives->at - actives->pool) / sizeof(struct lim_active) : 0;
+    const uint32_t beside = *actives->between_b / counted->active_b; /* those that gaps and cells have room for */
+    const uint32_t taken_b = taken > beside ? (uint32_t)(taken - beside) * counted->active_b : 0;
+    const uint32_t all_b = counted->idle_b + y * (uint32_t)sizeof(struct lim_line);
+
+    return all_b > taken_b ? all_b - taken_b : 0;
 }
 
 struct lim_active *lim_active_fresh(struct lim_actives *actives, const struct lim_spans *spans, uint16_t y)
@@ -73,6 +96,41 @@ struct lim_active *lim_active_fresh(struct lim_actives *actives, const struct li
     actives->at += sizeof(struct lim_active);
     if (LIM_HAS_ANTIALIAS) actives->fresh++;
     return active;
+}
+
+static struct lim_active **crowd_of(struct lim_actives *actives, const struct lim_active *active)
+{
+    return active->near->owner == LIM_STILL_MET ? actives->met : actives->moving;
+}
+
+void lim_active_enter_crowd(struct lim_actives *actives, struct lim_active *active,
+                            const union lim_retained_cell *cells)
+{
+    const uint16_t owner = lim_met_owner(cells);
+
+    if (!LIM_HAS_MOVERS) return;
+    if (owner < LIM_STILL_MET && !lim_mover_is_crowded(*actives->movers, owner)) return;
+    active->near->owner = owner;
+    active->near->known = false;
+    active->near->y = -1;
+    active->near->still[0] = active->near->still[1] = active->polygon;
+    struct lim_active **link = crowd_of(actives, active);
+    while (*link && (*link)->polygon < active->polygon)
+        link = &(*link)->near->next;
+    active->near->next = *link;
+    *link = active;
+    *actives->grouped = false;
+}
+
+void lim_active_leave_crowd(struct lim_actives *actives, const struct lim_active *active)
+{
+    struct lim_active **link = crowd_of(actives, active);
+
+    if (!LIM_HAS_MOVERS) return;
+    while (*link != active)
+        link = &(*link)->near->next;
+    *link = active->near->next;
+    *actives->grouped = false;
 }
 
 #endif

@@ -3,6 +3,7 @@
  * The polygons that cross a line are kept from far to near, as retain.h lists those that start on it. What is nearer
  * paints over what is farther, so each pixel ends as the nearest polygon's: the picture of pass one. */
 #include "lines/active.h"
+#include "lines/crowd.h"
 #include "lines/overlaid.h"
 #include "lines/paint.h"
 #include "lines/span.h"
@@ -39,7 +40,7 @@ static LIM_HOT_INLINE bool flat_activate(struct lim_paint *paint, const struct l
         active->next = *link;
         *link = active;
         link = &active->next;
-        lim_active_begin(active, retained, polygon, (int16_t)y);
+        lim_active_begin(actives, active, retained, polygon, (int16_t)y);
         if (LIM_HAS_TEXTURE) flat_set_texture(paint->pass, retained, active);
     }
     return true;
@@ -72,6 +73,23 @@ static LIM_IF_CALLED void flat_fill_textured(const struct lim_pass *pass, struct
     lim_texture_fill(&span, line, (uint16_t)seen.x0, (uint16_t)seen.x1, stats);
 }
 
+/* What its cuts leave of a run. */
+static LIM_IF_CALLED void paint_uncut(struct lim_paint *paint, struct lim_active *active, uint16_t *line,
+                                      struct extent all, struct extent within, uint16_t y, struct lim_stats *stats)
+{
+    const struct lim_near *const near = active->near;
+    const int32_t end = near->x1 < within.x1 ? near->x1 : within.x1;
+
+    for (int32_t x = near->x0 > within.x0 ? near->x0 : within.x0, to; lim_crowd_next(near->cuts, NULL, &x, end, &to);
+         x = to) {
+        if (LIM_HAS_TEXTURE && active->gradients->texture)
+            flat_fill_textured(paint->pass, active->gradients, line, all, (struct extent){x, to}, y, stats);
+        else
+            flat_fill(line, x, to, active->colour, true);
+        if (LIM_HAS_STATS) stats->pixels_painted += (uint32_t)(to - x);
+    }
+}
+
 static LIM_HOT_INLINE void flat_paint_polygons(struct lim_paint *paint, const struct lim_retained *retained,
                                                uint16_t *line, struct extent extent, enum reach reach, uint16_t below,
                                                struct lim_stats *stats)
@@ -85,7 +103,9 @@ static LIM_HOT_INLINE void flat_paint_polygons(struct lim_paint *paint, const st
         if (reach == OVERHANGING && x0 < 0) x0 = 0;
         if (reach == ANYWHERE && x0 < extent.x0) x0 = extent.x0;
         if (reach != WITHIN && x1 > extent.x1) x1 = extent.x1;
-        if (x0 < x1) {
+        if (LIM_HAS_MOVERS && lim_crowd_cuts(actives) && lim_active_is_cut(active)) {
+            paint_uncut(paint, active, line, all, extent, (uint16_t)(below - 1), stats);
+        } else if (x0 < x1) {
             if (LIM_HAS_TEXTURE && active->gradients->texture)
                 flat_fill_textured(paint->pass, active->gradients, line, all, (struct extent){x0, x1},
                                    (uint16_t)(below - 1), stats);
@@ -152,6 +172,9 @@ static LIM_HOT_INLINE int flat_paint_lines(struct lim_paint *paint, struct lim_s
         }
         stop->y = at;
         if (!flat_activate(paint, spans, retained, line->retained, at)) return lim_paint_stops(stop, LIM_PAINT_ACTIVE);
+        const struct lim_gap within = {(uint16_t)extent.x0, (uint16_t)extent.x1, LIM_NONE};
+        if (!lim_crowd_line(paint, spans, retained, &within, at, LIM_CROWD_OVER))
+            return lim_paint_stops(stop, LIM_PAINT_ACTIVE);
         err = flat_paint_line(paint, spans, &line->gap, retained, extent, reach, at, stats);
         if (err) break;
     }
@@ -183,7 +206,7 @@ int lim_flat_band(struct lim_paint *paint, struct lim_spans *spans, const struct
     /* Short code has one loop. */
     const bool from_0 = !LIM_OPTIMISE_SIZE && !band->x0 && !lim_target_is_round(target);
 
-    lim_actives_start(&paint->actives, spans);
+    lim_actives_start(&paint->actives, spans, false);
     if (from_0 && LIM_SUB_BITS > 0 && !retained->overhangs && band->x1 == target->w_px)
         return paint_within(paint, spans, retained, band, stop, stats);
     if (from_0) return paint_overhanging(paint, spans, retained, band, stop, stats);

@@ -4,63 +4,21 @@
  * colour is blended. */
 #include "lines/layers.h"
 
+#include "lines/active.h"
 #include "pixels/blend.h"
 #include "pixels/texture.h"
 #include "screen/edge.h"
 
 #if LIM_HAS_SPANS && LIM_HAS_TRANSPARENT
 
-/* The first gap at or behind `gap` that reaches right of x, or NULL. */
-static const struct lim_gap *gap_beyond(const struct lim_spans *spans, const struct lim_gap *gap, int16_t x)
-{
-    while ((int16_t)gap->x1 <= x) {
-        if (gap->next == LIM_NONE) return NULL;
-        gap = &spans->pool[gap->next];
-    }
-    return gap;
-}
-
-bool lim_layers_see_line(const struct lim_spans *spans, uint16_t y, int16_t x0, int16_t x1)
-{
-    if (x0 >= x1) return false;
-    const struct lim_gap *gap = gap_beyond(spans, &spans->lines[y].gap, x0);
-    return gap && gap->x0 < gap->x1 && (int16_t)gap->x0 < x1;
-}
-
-bool lim_layers_see(const struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
-                    int16_t bottom)
-{
-    struct lim_edge_pair pair;
-
-    lim_edge_begin(&pair, polygon->n, polygon->shape.first);
-    for (int16_t y = top; y < bottom; y++) {
-        lim_edge_advance(&pair, polygon->at, polygon->n, y);
-        if (lim_layers_see_line(spans, (uint16_t)y, lim_edge_x(&pair.left), lim_edge_x(&pair.right))) return true;
-    }
-    return false;
-}
-
-/* As the processor has it that is counted for. */
-static LIM_IF_CALLED uint32_t counted_idle_b(const struct lim_actives *actives, const struct lim_spans *spans,
-                                             uint16_t y)
-{
-    const struct lim_counted *const counted = spans->counted;
-    const size_t taken = actives->in_pool ? (size_t)(actives->at - actives->pool) / sizeof(struct lim_active) : 0;
-    const uint32_t beside = *actives->between_b / counted->active_b; /* those that gaps and cells have room for */
-    const uint32_t taken_b = taken > beside ? (uint32_t)(taken - beside) * counted->active_b : 0;
-    const uint32_t all_b = counted->idle_b + y * (uint32_t)sizeof(struct lim_line);
-
-    return all_b > taken_b ? all_b - taken_b : 0;
-}
-
 void lim_layers_open(struct lim_layers *layers, const struct lim_actives *actives, const struct lim_spans *spans,
                      uint16_t y)
 {
-    uint8_t *const idle = actives->in_pool ? actives->at : actives->pool;
+    uint8_t *const idle = LIM_HAS_MOVERS && *actives->cut_count ? *actives->cuts_end : lim_actives_idle(actives);
     uint32_t idle_b = (uint32_t)((uint8_t *)&spans->lines[y] - idle);
 
     if (LIM_HAS_STATS && spans->counted->is_apart) {
-        const uint32_t counted_b = counted_idle_b(actives, spans, y);
+        const uint32_t counted_b = lim_actives_counted_idle_b(actives, spans, y);
         if (counted_b < idle_b) idle_b = counted_b;
     }
     const uint16_t size = (uint16_t)(idle_b / sizeof(struct lim_layer));

@@ -10,13 +10,6 @@
 #include "colour.h"
 #include "stages.h"
 
-/* Whether any of the pixels x0 <= x < x1 of a line is open. */
-bool lim_layers_see_line(const struct lim_spans *spans, uint16_t y, int16_t x0, int16_t x1);
-
-/* Whether any pixel of a polygon that is not non-monotone is open, on the lines top <= y < bottom that it has. */
-bool lim_layers_see(const struct lim_spans *spans, const struct lim_screen_polygon *polygon, int16_t top,
-                    int16_t bottom);
-
 /* Before a line's first piece, when all that crosses it is active: the stack lies where it may be highest, in memory of
  * its own, or in the pool of active polygons and what follows that (active.c), as far as no polygon took it. */
 void lim_layers_open(struct lim_layers *layers, const struct lim_actives *actives, const struct lim_spans *spans,

@@ -5,6 +5,7 @@
 #include "lines/paint.h"
 
 #include "lines/active.h"
+#include "lines/crowd.h"
 #include "lines/layers.h"
 #include "lines/overlaid.h"
 #include "lines/retain.h"
@@ -40,7 +41,7 @@ static bool activate(struct lim_paint *paint, const struct lim_spans *spans, con
     if (LIM_HAS_TEXTURE && lim_retained_has_texture(cells))
         lim_texture_set(paint->pass->texturing, cells[1].look.colour, lim_active_points(cells), cells[0].link.n,
                         active->gradients);
-    lim_active_begin(active, retained, polygon, (int16_t)y);
+    lim_active_begin(&paint->actives, active, retained, polygon, (int16_t)y);
     return true;
 }
 
@@ -155,13 +156,13 @@ static bool paint_advance(struct lim_active *active, const union lim_retained_ce
 /* A transparent polygon leaves its pixels open. */
 static LIM_IF_CALLED void push_layers(struct lim_paint *paint, const struct lim_spans *spans,
                                       const struct lim_line *open, struct lim_active *active,
-                                      const union lim_retained_cell *cells)
+                                      const union lim_retained_cell *cells, int32_t x0, int32_t x1)
 {
-    const int16_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
     if (LIM_HAS_MASKED)
-        lim_layers_mask(paint->layers, lim_retained_has_texture(cells) ? active->gradients : NULL, left, right);
-    const struct lim_layer piece = {.x0 = left > 0 ? (uint16_t)left : 0,
-                                    .x1 = right > 0 ? (uint16_t)right : 0,
+        lim_layers_mask(paint->layers, lim_retained_has_texture(cells) ? active->gradients : NULL,
+                        lim_edge_x(&active->pair.left), lim_edge_x(&active->pair.right));
+    const struct lim_layer piece = {.x0 = x0 > 0 ? (uint16_t)x0 : 0,
+                                    .x1 = x1 > 0 ? (uint16_t)x1 : 0,
                                     .colour = cells[1].look.colour,
                                     .alpha = LIM_HAS_MASKED ? lim_layers_alpha(paint->layers, lim_retained_alpha(cells))
                                                             : lim_retained_alpha(cells)};
@@ -182,34 +183,67 @@ static inline void paint_open(struct lim_spans *spans, struct lim_line *open, in
         paint_piece(sink, (uint16_t)x0, (uint16_t)x1);
 }
 
-/* What an active polygon has on line y. false: it has ended. */
-static inline bool paint_centres(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
-                                 struct lim_active *active, const union lim_retained_cell *cells, uint16_t y,
-                                 struct sink *sink)
+/* Pixels x0 <= x < x1 of what an active polygon has on line y. */
+static inline void sink_part(struct lim_paint *paint, struct lim_spans *spans, struct lim_line *open,
+                             struct lim_active *active, const union lim_retained_cell *cells, int32_t x0, int32_t x1,
+                             struct sink *sink)
 {
-    const int32_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
+    if (x0 >= x1) return;
+    if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE)
+        push_layers(paint, spans, open, active, cells, x0, x1);
+    else
+        paint_open(spans, open, x0, x1, sink);
+}
 
+static inline void set_sink_look(struct sink *sink, const struct lim_paint *paint, struct lim_active *active,
+                                 const union lim_retained_cell *cells, uint16_t y, int32_t left, int32_t right)
+{
     sink->colour = cells[1].look.colour;
     if (LIM_HAS_TEXTURE) set_span(sink, active, cells, left, right);
     if (LIM_HAS_WIREFRAME) set_wire(sink, paint, cells, y);
-    if (left < right) {
-        if (LIM_HAS_TRANSPARENT && lim_retained_alpha(cells) != LIM_OPAQUE)
-            push_layers(paint, spans, open, active, cells);
-        else
-            paint_open(spans, open, left, right, sink);
-    }
-    return paint_advance(active, cells, (int16_t)(y + 1));
+}
+
+/* Of a line with cuts. */
+struct paint_cut {
+    struct lim_paint *paint;
+    struct lim_spans *spans;
+    const struct lim_retained *retained;
+    struct lim_line *open;
+    struct sink *sink;
+    uint16_t y;
+};
+
+static lim_crowd_part paint_cut_part;
+static LIM_IF_CALLED void paint_cut_part(void *ctx, struct lim_active *active, int32_t x0, int32_t x1)
+{
+    const struct paint_cut *const cut = ctx;
+    const union lim_retained_cell *cells = paint_cells_of(cut->retained, active);
+    const int32_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
+
+    set_sink_look(cut->sink, cut->paint, active, cells, cut->y, left, right);
+    sink_part(cut->paint, cut->spans, cut->open, active, cells, left > x0 ? left : x0, right < x1 ? right : x1,
+              cut->sink);
 }
 
 static void paint_polygons(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,
                            struct lim_line *open, uint16_t y, struct sink *sink)
 {
     struct lim_active **link = &paint->actives.first;
+    const struct lim_gap within = {open->gap.x0, open->gap.x1, LIM_NONE};
+    const bool is_cut = lim_crowd_cuts(&paint->actives);
 
+    if (LIM_HAS_MOVERS && is_cut)
+        lim_crowd_paint(&paint->actives, &within, paint_cut_part,
+                        &(struct paint_cut){paint, spans, retained, open, sink, y});
     while (*link) {
         struct lim_active *active = *link;
         const union lim_retained_cell *cells = paint_cells_of(retained, active);
-        if (paint_centres(paint, spans, open, active, cells, y, sink))
+        const int32_t left = lim_edge_x(&active->pair.left), right = lim_edge_x(&active->pair.right);
+        if (!is_cut) {
+            set_sink_look(sink, paint, active, cells, y, left, right);
+            sink_part(paint, spans, open, active, cells, left, right, sink);
+        }
+        if (paint_advance(active, cells, (int16_t)(y + 1)))
             link = &active->next;
         else
             lim_active_give_back(&paint->actives, link);
@@ -281,9 +315,11 @@ static int paint_line(struct lim_paint *paint, struct lim_spans *spans, const st
 
     lim_line_open(&open, target, band, y);
     const uint16_t x0 = LIM_HAS_ROUND ? open.gap.x0 : band->x0, x1 = LIM_HAS_ROUND ? open.gap.x1 : band->x1;
+    if (!lim_crowd_line(paint, spans, retained, &open.gap, y, LIM_CROWD_GAPS))
+        return lim_paint_stops(stop, LIM_PAINT_ACTIVE);
     sink.colour = sink.painted_px = 0;
     const enum line_use use = use_of_line(paint, retained, band, y);
-    sink.line = use == NOTED ? NULL : target->lend(target->ctx, y);
+    sink.line = use == NOTED ? NULL : lim_paint_lend(paint, y);
     if (use != NOTED && !sink.line) return LIM_ERR_TARGET;
     begin_sink(&sink, paint, y, use);
     if (LIM_HAS_MASKED) lim_layers_begin(paint->layers, paint->pass->texturing, y);
@@ -317,7 +353,7 @@ int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struc
     if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&paint->pass->view))
         return lim_smooth_band(paint, spans, retained, band, stop);
     if (is_flat(paint, retained)) return lim_flat_band(paint, spans, retained, band, stop);
-    lim_actives_start(&paint->actives, spans);
+    lim_actives_start(&paint->actives, spans, true);
     for (stop->y = band->y0; stop->y < band->y1; stop->y++) {
         if (!activate_line(paint, spans, retained, spans->lines[stop->y].retained, stop->y))
             return lim_paint_stops(stop, LIM_PAINT_ACTIVE);

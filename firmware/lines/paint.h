@@ -28,6 +28,19 @@ static inline int lim_paint_stops(struct lim_paint_stop *stop, enum lim_paint_po
     return 0;
 }
 
+/* Line y, to be painted; a line that is lent already, because what it took did not fit, is not lent again. */
+static inline uint16_t *lim_paint_lend(struct lim_paint *paint, uint16_t y)
+{
+    const struct lim_target *target = &paint->pass->target;
+
+    if (LIM_HAS_LENT && LIM_HAS_MOVERS && *paint->lent) {
+        uint16_t *const line = *paint->lent;
+        *paint->lent = NULL;
+        return line;
+    }
+    return target->lend(target->ctx, y);
+}
+
 /* Paints the lines of `band` until it is done, a pool is exhausted or the target returns another number than 0, which
  * comes back. stop->exhausted is LIM_PAINT_FITS before. The pool of gaps is used up. */
 LIM_MUST_CHECK int lim_paint_band(struct lim_paint *paint, struct lim_spans *spans, const struct lim_retained *retained,

@@ -13,6 +13,7 @@ static inline void lim_retained_clear(struct lim_retained *retained)
 {
     retained->used = 0;
     retained->overhangs = false;
+    if (LIM_HAS_MOVERS) *retained->told = 0;
     if (LIM_HAS_TRANSPARENT) retained->transparent = false;
     if (LIM_HAS_TEXTURE) retained->textured = false;
     if (LIM_HAS_MASKED) retained->masked = false;
@@ -51,8 +52,8 @@ static inline struct lim_retained_polygon lim_retained_of(const struct lim_scree
 
 static inline uint16_t lim_retained_bottom(const union lim_retained_cell *cells)
 {
-    const uint16_t flags =
-        (LIM_HAS_TRANSPARENT ? LIM_RETAINED_TRANSPARENT : 0u) | (LIM_HAS_TEXTURE ? LIM_RETAINED_TEXTURE : 0u);
+    const uint16_t flags = (LIM_HAS_TRANSPARENT ? LIM_RETAINED_TRANSPARENT : 0u) |
+                           (LIM_HAS_TEXTURE ? LIM_RETAINED_TEXTURE : 0u) | (LIM_HAS_MOVERS ? LIM_RETAINED_MET : 0u);
 
     return (uint16_t)(cells[1].look.bottom & ~flags);
 }
@@ -96,6 +97,18 @@ static inline const struct lim_point *lim_retained_move(const struct lim_retaine
     return to;
 }
 
+/* What the cells before a polygon tell is told of the next one, too. */
+static inline void lim_retained_tell_again(struct lim_retained *retained)
+{
+    union lim_retained_cell *const to = &retained->cells[retained->used];
+    const uint16_t told = *retained->told;
+    const union lim_retained_cell *from = &retained->cells[*retained->last] - told;
+
+    for (uint16_t k = 0; k < told; k++)
+        to[k] = from[k];
+    retained->used = (uint16_t)(retained->used + told);
+}
+
 /* Links a polygon that takes so many cells, of which there are as many, into its top line. Points and flags are the
  * caller's to write. */
 static inline void lim_retained_link(struct lim_spans *spans, struct lim_retained *retained, struct lim_line *line,
@@ -111,10 +124,22 @@ static inline void lim_retained_link(struct lim_spans *spans, struct lim_retaine
     cells[1].look.colour = colour;
     line->retained = self;
     retained->used = (uint16_t)(self + cell_count);
+    if (LIM_HAS_MOVERS && *retained->told) {
+        cells[1].look.bottom |= LIM_RETAINED_MET;
+        *retained->last = self;
+        lim_retained_tell_again(retained);
+    }
     if (!LIM_HAS_FENCE) lim_share_set_lowest(spans);
 }
 
 /* Links the polygon into its top line. false: the pool is exhausted. */
 bool lim_retain(struct lim_spans *spans, const struct lim_retained_polygon *polygon);
+
+/* The cells before the next polygons: of a mover's record, or of what stands still, as movers' `met` have it. false:
+ * there is no room. They are taken back. */
+bool lim_retain_tell_mover(struct lim_spans *spans, const struct lim_met_polygon *polygon);
+bool lim_retain_tell_still(struct lim_spans *spans, const struct lim_movers *movers,
+                           const struct lim_met_polygon *polygon);
+void lim_retain_told(struct lim_spans *spans);
 
 #endif

@@ -56,7 +56,7 @@ static inline uint16_t lim_share_cells_before_fence(const struct lim_retained *r
 static inline void lim_share_set_lowest(struct lim_spans *spans)
 {
     const struct lim_retained *retained = spans->retained;
-    const uint32_t pending = LIM_OPTIMISE_SIZE && !LIM_HAS_PIECES ? 0 : retained->pending; /* points are copied */
+    const uint32_t pending = LIM_OPTIMISE_SIZE && !LIM_HAS_NEWELL ? 0 : retained->pending; /* points are copied */
     const uint32_t taken = LIM_HAS_FENCE ? retained->size : retained->used + pending;
 
     spans->lowest = lim_share_gap_behind(spans, taken * lim_share_cell_b(spans));
@@ -66,7 +66,7 @@ static inline void lim_share_set_lowest(struct lim_spans *spans)
 static inline bool lim_share_has_cells(const struct lim_spans *spans, const struct lim_retained *retained,
                                        uint32_t needed)
 {
-    const uint32_t end = retained->used + needed;
+    const uint32_t end = retained->used + needed + (LIM_HAS_MOVERS ? *retained->told : 0u);
 
     if ((LIM_HAS_SCANLINE || LIM_HAS_ANTIALIAS) && end > retained->size) return false;
     if (LIM_HAS_FENCE) return true;

@@ -222,8 +222,8 @@ static bool close_any(struct lim_spans *spans, const struct lim_screen_polygon *
     return see_line(seen, &spans->lines[y], lim_smooth_close_line(spans, y, &strip));
 }
 
-static LIM_IF_CALLED bool see_transparent(const struct lim_spans *spans, const struct lim_screen_polygon *polygon,
-                                          const struct lim_span_extent *shown)
+static LIM_IF_CALLED bool see_open(const struct lim_spans *spans, const struct lim_screen_polygon *polygon,
+                                   const struct lim_span_extent *shown)
 {
     struct lim_sample_edges edges;
 
@@ -236,14 +236,15 @@ static LIM_IF_CALLED bool see_transparent(const struct lim_spans *spans, const s
     return false;
 }
 
-bool lim_smooth_close(struct lim_spans *spans, const struct lim_screen_polygon *polygon, struct lim_span_extent *shown)
+bool lim_smooth_close(struct lim_spans *spans, const struct lim_screen_polygon *polygon, struct lim_span_extent *shown,
+                      bool stays_open)
 {
     const int16_t bottom = shown->bottom;
     struct seen_lines seen = {NULL, NULL};
     struct lim_sample_edges edges;
 
-    if (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE) {
-        if (!see_transparent(spans, polygon, shown)) shown->top = bottom;
+    if (stays_open || (LIM_HAS_TRANSPARENT && lim_alpha_of(polygon) != LIM_OPAQUE)) {
+        if (!see_open(spans, polygon, shown)) shown->top = bottom;
         return true;
     }
     lim_strip_begin(&edges, polygon->n, polygon->shape.first);

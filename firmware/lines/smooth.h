@@ -70,8 +70,23 @@ static LIM_INLINE void lim_smooth_mix_pixel(struct lim_smooth_sink *sink, uint32
 lim_strip_sink lim_smooth_mix;
 
 /* SPAN: closes the samples of a polygon that is not non-monotone, on lines `shown`, which shrink to those of which some
- * were open; if it is transparent, only looks whether any is. false: a pool is exhausted. */
-bool lim_smooth_close(struct lim_spans *spans, const struct lim_screen_polygon *polygon, struct lim_span_extent *shown);
+ * were open; if it stays open, as if it is transparent, only looks whether any is. false: a pool is exhausted. */
+bool lim_smooth_close(struct lim_spans *spans, const struct lim_screen_polygon *polygon, struct lim_span_extent *shown,
+                      bool stays_open);
+
+/* What an active polygon has on a line, and its edges go on to the next. */
+static LIM_INLINE struct lim_strip lim_smooth_strip(struct lim_sample_edges *edges, const struct lim_active *active,
+                                                    const union lim_retained_cell *cells, int32_t y)
+{
+    const struct lim_point *at = &cells[LIM_RETAINED_HEAD_CELLS].at;
+
+    if (LIM_HAS_NEWELL && !cells[0].link.n) {
+        struct lim_strip strip;
+        lim_strip_of_rows(&strip, at, (int16_t)active->bottom, (int16_t)y);
+        return strip;
+    }
+    return lim_strip_next(edges, at, cells[0].link.n, cells[0].link.first, y, (int16_t)active->bottom);
+}
 
 /* The same of a strip of line y. */
 enum lim_span_result lim_smooth_close_line(struct lim_spans *spans, int16_t y, const struct lim_strip *strip);

@@ -337,6 +337,7 @@ uint16_t lim_smooth_run(struct lim_paint *paint, const struct lim_spans *spans, 
     if (lim_target_is_round(&paint->pass->target)) return 0;
     if (LIM_HAS_TRANSPARENT && retained->transparent) return 0;
     if (LIM_HAS_TEXTURE && retained->textured) return 0;
+    if (LIM_HAS_MOVERS && *paint->actives.moving) return 0;
     if (!find_run(&pieces, paint, spans, band, y)) return 0;
     if (LIM_HAS_STATS && paint->actives.used > stats->active_max) stats->active_max = paint->actives.used;
     for (uint16_t line = 0; line < pieces.lines && !*err; line++)

@@ -178,4 +178,26 @@ bool lim_spans_shrink(struct lim_spans *spans)
     return smaller;
 }
 
+bool lim_spans_see_line(const struct lim_spans *spans, uint16_t y, int16_t x0, int16_t x1)
+{
+    const struct lim_gap *gap = &spans->lines[y].gap;
+
+    for (; gap && x0 < x1; gap = lim_gap_after(spans, gap))
+        if ((int16_t)gap->x1 > x0) return gap->x0 < gap->x1 && (int16_t)gap->x0 < x1;
+    return false;
+}
+
+bool lim_spans_see(const struct lim_spans *spans, const struct lim_point *at, uint8_t n, uint8_t first,
+                   struct lim_span_extent shown)
+{
+    struct lim_edge_pair pair;
+
+    lim_edge_begin(&pair, n, first);
+    for (int16_t y = shown.top; y < shown.bottom; y++) {
+        lim_edge_advance(&pair, at, n, y);
+        if (lim_spans_see_line(spans, (uint16_t)y, lim_edge_x(&pair.left), lim_edge_x(&pair.right))) return true;
+    }
+    return false;
+}
+
 #endif

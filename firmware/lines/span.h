@@ -37,6 +37,12 @@ void lim_spans_reset_pool(struct lim_spans *spans);
 enum lim_span_result lim_span_close(struct lim_spans *spans, struct lim_line *line, int16_t x0, int16_t x1,
                                     lim_piece_fill *sink, void *ctx);
 
+/* Whether any of the pixels x0 <= x < x1 of a line is open; or of a polygon of n points that is not non-monotone, on
+ * lines `shown`, which it has. */
+bool lim_spans_see_line(const struct lim_spans *spans, uint16_t y, int16_t x0, int16_t x1);
+bool lim_spans_see(const struct lim_spans *spans, const struct lim_point *at, uint8_t n, uint8_t first,
+                   struct lim_span_extent shown);
+
 /* A polygon that is being closed: its boundaries, and the first and the last line of which something was open; NULL:
  * none so far. All that the loop over lines does not need lies behind one pointer, so its registers are its own. */
 struct lim_closing {

@@ -3,8 +3,6 @@
  * The digits of a root, two bits of its square at a time. */
 #include "math/isqrt.h"
 
-#if LIM_HAS_MOVERS
-
 uint32_t lim_isqrt(uint64_t x)
 {
     uint64_t root = 0;
@@ -18,5 +16,3 @@ uint32_t lim_isqrt(uint64_t x)
     }
     return (uint32_t)root;
 }
-
-#endif

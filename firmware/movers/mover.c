@@ -69,34 +69,19 @@ static void movers_place(const struct lim_instance *instance, const int32_t v[3]
 static void mover_place(const struct lim_movers *movers, uint16_t mover, lim_index vertex, int32_t at_q12[3])
 {
     const struct lim_instance *instance = &movers->instances[mover];
-    const struct lim_vertex at = instance->object->vertices[vertex];
+    int32_t v[3];
 
-#if LIM_HAS_FRACTIONS
-    if (instance->object->fractions) {
-        const struct lim_fraction fraction = instance->object->fractions[vertex];
-        const int32_t v_q8[3] = {at.x * INT32_C(256) + fraction.x_q8, at.y * INT32_C(256) + fraction.y_q8,
-                                 at.z * INT32_C(256) + fraction.z_q8};
-        place_fine(instance, v_q8, 8, at_q12);
-        return;
-    }
-#endif
-    const int32_t v[3] = {at.x, at.y, at.z};
-    movers_place(instance, v, at_q12);
+    lim_corner_load(v, instance->object, vertex);
+    if (LIM_HAS_FRACTIONS)
+        place_fine(instance, v, 8, at_q12);
+    else
+        movers_place(instance, v, at_q12);
 }
 
 void lim_mover_forget_corners(struct lim_movers *movers)
 {
     for (uint_fast8_t i = 0; i < LIM_PLACED_CORNERS; i++)
         movers->placed[i].mover = LIM_NONE;
-    for (uint_fast8_t i = 0; i < LIM_PLACED_PLANES; i++)
-        movers->planes[i].mover = LIM_NONE;
-    lim_mover_forget_pieces(movers);
-}
-
-void lim_mover_forget_pieces(struct lim_movers *movers)
-{
-    for (uint_fast8_t i = 0; i < LIM_KEPT_CORNERS; i++)
-        movers->kept[i].cut = LIM_NONE;
 }
 
 /* The same few corners are asked for again and again: for each plane that a polygon may meet. */
@@ -135,21 +120,6 @@ void lim_mover_turn(const struct lim_movers *movers, uint16_t mover, struct lim_
     plane->narrow = false;
     plane->axis = LIM_NO_AXIS;
     if (LIM_HAS_LONG) *plane->along = LIM_NO_AXIS;
-}
-
-/* As corners are. */
-const struct lim_plane_unpacked *lim_mover_plane(struct lim_movers *movers, uint16_t mover,
-                                                 const LIM_FLASH struct lim_plane_ref *ref, uint16_t place)
-{
-    struct lim_placed_plane *placed = &movers->planes[place % LIM_PLACED_PLANES];
-
-    if (placed->mover != mover || placed->ref != ref) {
-        placed->mover = mover;
-        placed->ref = ref;
-        lim_plane_unpack(&placed->plane, movers->instances[mover].object, ref);
-        lim_mover_turn(movers, mover, &placed->plane);
-    }
-    return &placed->plane;
 }
 
 int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3])
@@ -418,21 +388,8 @@ static bool pose(struct lim_movers *movers, const struct lim_view *view, uint16_
 
 void lim_movers_set_antialiased(struct lim_movers *movers, bool antialiased)
 {
-    lim_view_set_antialiased(&movers->world, antialiased);
     for (uint16_t i = 0; i < movers->count; i++)
         lim_view_set_antialiased(&movers->movers[i].view, antialiased);
-}
-
-const struct lim_view *lim_movers_world(struct lim_movers *movers)
-{
-    if (movers->world.rows.near_qv == NOT_SET_QV) {
-        struct lim_camera half = movers->camera;
-        for (uint_fast8_t i = 0; i < 3; i++)
-            half.eye_q8[i] >>= 1;
-        half.near_q8 = half.near_q8 > 1 ? half.near_q8 >> 1 : 1;
-        turn_rows(&movers->world, NULL, &half, movers->axes_q30);
-    }
-    return &movers->world;
 }
 
 void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const struct lim_camera *camera)
@@ -458,7 +415,6 @@ void lim_movers_pose(struct lim_movers *movers, struct lim_pass *pass, const str
         movers->eye_ahead_q40 += movers->ahead_q28[i] * ((int64_t)camera->eye_q8[i] * 16);
     }
     if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) movers->eye_ahead_q40 = 0; /* all of it is seen from there */
-    set_view(&movers->world, &pass->view, pass->view.cache);
     for (uint16_t i = 0; i < movers->count; i++)
         drawn += pose(movers, &pass->view, i);
     if (LIM_HAS_STATS) lim_stats_of(pass)->movers.left_out = movers->given - drawn;

@@ -19,14 +19,8 @@ void lim_movers_set_antialiased(struct lim_movers *movers, bool antialiased);
 /* An object's vertex in the static scene, Q12: valid until another one is asked for. */
 const int32_t *lim_mover_corner(struct lim_movers *movers, uint16_t mover, lim_index vertex);
 
-/* Numbers of cuts will mean others. */
-void lim_mover_forget_pieces(struct lim_movers *movers);
-
 /* They have moved. */
 void lim_mover_forget_corners(struct lim_movers *movers);
-
-/* The static scene's at half its scale, so that it reaches to 2^16 units. */
-const struct lim_view *lim_movers_world(struct lim_movers *movers);
 
 /* The mover's view, with the cache empty or its own. */
 struct lim_view *lim_mover_view(struct lim_movers *movers, uint16_t mover);
@@ -40,14 +34,8 @@ static inline uint16_t lim_mover_first_texture(const struct lim_movers *movers, 
 /* How far ahead of the eye a point is, in 1/512 units. */
 int32_t lim_mover_depth(const struct lim_movers *movers, const int32_t at_q12[3]);
 
-/* Whether nothing of mover `b` can hide anything of `a`: a plane between them tells, or their depths. Of movers that
- * enter by their centres these alone count. */
+/* Whether nothing of mover `b` can hide anything of `a`: a plane between them tells, or their depths. */
 bool lim_mover_precedes(const struct lim_movers *movers, uint16_t a, uint16_t b);
-
-/* A plane of an object that does not deform, in the static scene: valid until another one is asked for. Any number says
- * where it is kept. */
-const struct lim_plane_unpacked *lim_mover_plane(struct lim_movers *movers, uint16_t mover,
-                                                 const LIM_FLASH struct lim_plane_ref *ref, uint16_t place);
 
 /* A plane of an object, as it lies in the static scene. */
 void lim_mover_turn(const struct lim_movers *movers, uint16_t mover, struct lim_plane_unpacked *plane);

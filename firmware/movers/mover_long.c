@@ -159,61 +159,6 @@ void lim_mover_far_box(const struct lim_mover *mover, struct lim_box *box)
     }
 }
 
-/* As a number with a point that floats: 25 bits, and a shift above them. */
-int32_t lim_far_depth(const struct lim_movers *movers, int8_t exponent, const int32_t at_q12[3])
-{
-    int64_t ahead_q40 = 0;
-    for (uint_fast8_t i = 0; i < 3; i++)
-        ahead_q40 += (int64_t)movers->ahead_q28[i] * at_q12[i];
-    const int64_t depth = (ahead_q40 >> 31) * (INT32_C(1) << (exponent - OWN_MIN));
-    uint64_t size = depth < 0 ? 0 - (uint64_t)depth : (uint64_t)depth;
-    int32_t shift = 0;
-
-    for (; size >> 25; size >>= 1)
-        shift++;
-    const int32_t number = shift * (INT32_C(1) << 24) + (int32_t)size;
-    return depth < 0 ? -number : number;
-}
-
-enum { CORNER_EXPONENT = (LIM_HAS_LIMBS ? 17 : 16) - 12 }; /* of what transform_way() makes of Q12 */
-
-void lim_far_view_corner(const struct lim_view *view, int8_t exponent, const int32_t at_q12[3],
-                         struct lim_view_point *out)
-{
-    const uint8_t up = relative_shift(relative_size(at_q12[0]) | relative_size(at_q12[1]) | relative_size(at_q12[2]));
-    int32_t way[3];
-
-    for (uint_fast8_t i = 0; i < 3; i++)
-        way[i] = at_q12[i] * (INT32_C(1) << up);
-    for (uint_fast8_t i = 0; i < 3; i++)
-        out->qv[i] = transform_way(&view->rows.row[i], way);
-    out->z_qv += view->rows.row[2].shift_qv;
-    transform_settle(&view->rows, out->qv);
-    *out->exponent = (int8_t)(exponent + CORNER_EXPONENT - up);
-}
-
-int8_t lim_far_exponent(const struct lim_movers *movers, const struct lim_view *view, const struct lim_scene *object,
-                        const LIM_FLASH lim_index *record)
-{
-    int8_t most = INT8_MIN;
-
-    if (!lim_movers_are_far(movers)) return 0;
-    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT); k++) {
-        struct lim_view_point point;
-        lim_view_transform(view, object, &object->vertices[record[LIM_POLYGON_HEAD_WORDS + k]], &point);
-        if (*point.exponent > most) most = *point.exponent;
-    }
-    return most;
-}
-
-void lim_far_raise(struct lim_view_point *point, int8_t exponent)
-{
-    const int_fast8_t down = (int_fast8_t)(exponent - *point->exponent);
-
-    for (uint_fast8_t i = 0; i < 3; i++)
-        point->qv[i] >>= down < 31 ? down : 31;
-}
-
 /* Planes ----------------------------------------------------------------------------------------------------------- */
 
 static int64_t norm_of(const struct lim_plane_unpacked *plane)
@@ -251,8 +196,7 @@ void lim_plane_unpack_far(struct lim_plane_unpacked *plane, const struct lim_eye
     plane->slack = norm_of(plane);
 }
 
-/* x 2^up, at most PLANE_END. */
-static int64_t plane_scaled(int64_t x, int_fast8_t up)
+int64_t lim_plane_scaled(int64_t x, int_fast8_t up)
 {
     if (up <= 0) x >>= -up < 63 ? -up : 63;
     if (up > 0 && up < 50 && x < PLANE_END >> up && x > -(PLANE_END >> up)) return x * (INT64_C(1) << up);
@@ -274,54 +218,13 @@ void lim_plane_bring(struct lim_plane_unpacked *plane, const struct lim_movers *
     const int_fast8_t exponent_from = from == LIM_NONE ? 0 : lim_mover_exponent(movers, from);
     const int_fast8_t own_from = from == LIM_NONE ? 0 : movers->movers[from].eye.far->unit;
     const int64_t norm = norm_of(plane);
-    const int64_t most = plane_scaled(norm, (int_fast8_t)((own > own_from ? own : own_from) - exponent));
-    const int64_t least = plane_scaled(norm, (int_fast8_t)(lesser_exponent(own, own_from) - exponent));
+    const int64_t most = lim_plane_scaled(norm, (int_fast8_t)((own > own_from ? own : own_from) - exponent));
+    const int64_t least = lim_plane_scaled(norm, (int_fast8_t)(lesser_exponent(own, own_from) - exponent));
 
-    plane->d = plane_scaled(plane->d, (int_fast8_t)(exponent_from - exponent));
+    plane->d = lim_plane_scaled(plane->d, (int_fast8_t)(exponent_from - exponent));
     const int64_t seldom_seen = (plane->d < 0 ? -plane->d : plane->d) >> 10;
     const int64_t between = seldom_seen > least ? seldom_seen : least;
     plane->slack = (most < between ? most : between) + (norm >> 6); /* what frames round */
-}
-
-/* Shafts ----------------------------------------------------------------------------------------------------------- */
-
-/* A length in another frame. false: it has no number there. */
-static bool brought(int32_t *length_q12, int_fast8_t up)
-{
-    const int64_t size = plane_scaled(*length_q12, up);
-
-    if (size >= INT64_C(1) << 29 || size <= -(INT64_C(1) << 29)) return false;
-    *length_q12 = (int32_t)size;
-    return true;
-}
-
-bool lim_far_reach_beside(const struct lim_movers *movers, uint16_t mover, uint16_t beside, int32_t low_q12[3],
-                          int32_t high_q12[3])
-{
-    const struct lim_instance *instance = &movers->instances[mover], *axes = &movers->instances[beside];
-    const int_fast8_t up = (int_fast8_t)(lim_mover_exponent(movers, mover) - lim_mover_exponent(movers, beside));
-    int32_t away_q12[3], half_q12[3];
-
-    for (uint_fast8_t i = 0; i < 3; i++) {
-        away_q12[i] = movers->movers[mover].centre_q12[i];
-        half_q12[i] = movers->movers[mover].own_half_q12[i];
-        if (!brought(&away_q12[i], up) || !brought(&half_q12[i], up)) return false;
-        away_q12[i] -= axes->at_q8[i] * 16;
-    }
-    for (uint_fast8_t j = 0; j < 3; j++) {
-        int64_t half_q42 = 0;
-        for (uint_fast8_t k = 0; k < 3; k++) {
-            const int32_t along_q30 = (int32_t)(lim_along_axis(axes, j, &instance->axes_q30[3 * k]) >> 30);
-            half_q42 += (int64_t)abs_s32(along_q30) * half_q12[k];
-        }
-        int32_t own_q12 = (int32_t)(lim_along_axis(axes, j, away_q12) >> 30);
-        int32_t reach_q12 = (int32_t)(half_q42 >> 30) + 64; /* for what is rounded */
-        if (!brought(&own_q12, (int_fast8_t)axes->finer_bits) || !brought(&reach_q12, (int_fast8_t)axes->finer_bits))
-            return false;
-        low_q12[j] = own_q12 - reach_q12;
-        high_q12[j] = own_q12 + reach_q12;
-    }
-    return true;
 }
 
 #endif

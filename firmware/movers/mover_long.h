@@ -35,7 +35,7 @@ bool lim_mover_approach(struct lim_movers *movers, uint16_t mover);
 void lim_mover_set_far_view(struct lim_mover *mover);
 
 /* Whether the eye is so far away that its object has no coordinates for it: lim_eye.at_q8 is 0, its object without
- * textures, and what it may hide is not asked of its tree. */
+ * textures. */
 static inline bool lim_mover_is_remote(const struct lim_mover *mover)
 {
     return LIM_HAS_FAR_MOVERS && mover->eye.far->all;
@@ -47,19 +47,6 @@ void lim_mover_set_far_cull(struct lim_cull *cull, const struct lim_mover *mover
 /* A box in a frame, as lim_cull_sees() of the long scene wants it. */
 void lim_mover_far_box(const struct lim_mover *mover, struct lim_box *box);
 
-/* How far ahead of the eye a point in a frame is: numbers that compare as distances do, in whichever frames. */
-int32_t lim_far_depth(const struct lim_movers *movers, int8_t exponent, const int32_t at_q12[3]);
-
-/* A point in a frame, in the long scene's view space. */
-struct lim_view_point;
-void lim_far_view_corner(const struct lim_view *view, int8_t exponent, const int32_t at_q12[3],
-                         struct lim_view_point *out);
-
-/* The most that a record's corner has in view space, which others may be raised to; without a long scene 0, as all. */
-int8_t lim_far_exponent(const struct lim_movers *movers, const struct lim_view *view, const struct lim_scene *object,
-                        const LIM_FLASH lim_index *record);
-void lim_far_raise(struct lim_view_point *point, int8_t exponent);
-
 /* A plane of the long scene, as seen from the eye, in its units; for lim_plane_bring() alone. */
 void lim_plane_unpack_far(struct lim_plane_unpacked *plane, const struct lim_eye *eye,
                           const LIM_FLASH struct lim_plane_ref *ref);
@@ -67,8 +54,7 @@ void lim_plane_unpack_far(struct lim_plane_unpacked *plane, const struct lim_eye
 /* Brings a plane from the frame of mover `from`, or LIM_NONE: from the long scene, to that of mover `to`. */
 void lim_plane_bring(struct lim_plane_unpacked *plane, const struct lim_movers *movers, uint16_t from, uint16_t to);
 
-/* Where a mover reaches along the axes of another one, in the other's own units. false: it has no numbers for that. */
-bool lim_far_reach_beside(const struct lim_movers *movers, uint16_t mover, uint16_t beside, int32_t low_q12[3],
-                          int32_t high_q12[3]);
+/* x 2^up, and as much as a frame has numbers for at most. */
+int64_t lim_plane_scaled(int64_t x, int_fast8_t up);
 
 #endif

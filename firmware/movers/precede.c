@@ -19,17 +19,11 @@ static uint32_t length_above(const int32_t v[3])
     return longest + (uint32_t)(((uint64_t)(sum - longest) * 107) >> 8) + 1;
 }
 
-/* What bounds a mover: as a point, if it enters by its centre. */
-static int32_t radius_of(const struct lim_movers *movers, uint16_t mover)
-{
-    return movers->instances[mover].by_centre ? 0 : movers->movers[mover].radius_q12;
-}
-
 /* Nearer by all of its ball. */
 static bool is_nearer(const struct lim_movers *movers, uint16_t a, uint16_t b)
 {
-    const int32_t far = lim_mover_depth(movers, movers->movers[a].centre_q12) + (radius_of(movers, a) >> 3);
-    const int32_t near = lim_mover_depth(movers, movers->movers[b].centre_q12) - (radius_of(movers, b) >> 3);
+    const int32_t far = lim_mover_depth(movers, movers->movers[a].centre_q12) + (movers->movers[a].radius_q12 >> 3);
+    const int32_t near = lim_mover_depth(movers, movers->movers[b].centre_q12) - (movers->movers[b].radius_q12 >> 3);
 
     return far <= near;
 }
@@ -116,7 +110,7 @@ static LIM_IF_CALLED void set_in_frame(struct in_frame *out, const struct lim_mo
     const uint8_t down = (uint8_t)(exponent - lim_mover_exponent(movers, mover));
 
     out->instance = &movers->instances[mover];
-    out->radius_q12 = out->instance->by_centre ? 0 : (self->radius_q12 >> down) + 2;
+    out->radius_q12 = (self->radius_q12 >> down) + 2;
     for (uint_fast8_t i = 0; i < 3; i++) {
         out->centre_q12[i] = self->centre_q12[i] >> down;
         out->half_q12[i] = (self->half_q12[i] >> down) + 2;
@@ -163,9 +157,8 @@ static LIM_IF_CALLED bool precedes_in_frame(const struct lim_movers *movers, uin
     set_in_frame(&second, movers, b, of_a > of_b ? of_a : of_b);
     const int32_t far = lim_mover_depth(movers, first.centre_q12) + (first.radius_q12 >> 3);
     const int32_t near = lim_mover_depth(movers, second.centre_q12) - (second.radius_q12 >> 3);
-    return far <= near || (!first.instance->by_centre && !second.instance->by_centre &&
-                           (is_before_in_frame(&first, &second) || is_parted_in_frame(&first, &second, true) ||
-                            is_parted_in_frame(&second, &first, false)));
+    return far <= near || is_before_in_frame(&first, &second) || is_parted_in_frame(&first, &second, true) ||
+           is_parted_in_frame(&second, &first, false);
 }
 
 bool lim_mover_precedes(const struct lim_movers *movers, uint16_t a, uint16_t b)
@@ -173,9 +166,8 @@ bool lim_mover_precedes(const struct lim_movers *movers, uint16_t a, uint16_t b)
     const struct lim_mover *first = &movers->movers[a], *second = &movers->movers[b];
 
     if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) return precedes_in_frame(movers, a, b);
-    return is_nearer(movers, a, b) || (!movers->instances[a].by_centre && !movers->instances[b].by_centre &&
-                                       (is_before_along_axis(movers, first, second) || is_parted(movers, a, b, true) ||
-                                        is_parted(movers, b, a, false)));
+    return is_nearer(movers, a, b) || is_before_along_axis(movers, first, second) || is_parted(movers, a, b, true) ||
+           is_parted(movers, b, a, false);
 }
 
 #endif

@@ -74,7 +74,7 @@ static void follow(struct bands *bands, const struct lim_target *target)
 /* Whether the cache of vertices was overwritten. */
 static bool took_idle_memory(struct lim_nearest *nearest)
 {
-    bool took = nearest->paint.actives.in_pool;
+    bool took = nearest->paint.actives.in_pool || (LIM_HAS_MOVERS && *nearest->paint.actives.crowded);
 
     if (LIM_HAS_TRANSPARENT) {
         took = took || nearest->paint.layers->in_idle;
@@ -99,17 +99,15 @@ static int paint_band(struct lim_nearest *nearest, const struct lim_rect *band, 
  * line for which any is too small is painted so. */
 static bool wants_painter(const struct lim_nearest *nearest, const struct lim_rect *band, enum lim_paint_pool exhausted)
 {
-    if (!nearest->pass->scene->limits.layers && !lim_wireframe_of(nearest->pass) &&
-        !lim_moves(lim_nearest_sorter(nearest)))
-        return false;
+    if (LIM_HAS_MOVERS && lim_nearest_moves(nearest)) return false;
+    if (!nearest->pass->scene->limits.layers && !lim_wireframe_of(nearest->pass)) return false;
     return exhausted == LIM_PAINT_LAYERS || band->y1 - band->y0 == 1;
 }
 
-/* In all views of the frame. */
-static void set_antialiased(struct lim_nearest *nearest, bool antialiased)
+void lim_nearest_set_antialiased(struct lim_nearest *nearest, bool antialiased)
 {
     lim_view_set_antialiased(&nearest->pass->view, antialiased);
-    if (LIM_HAS_MOVERS) lim_movers_set_antialiased(lim_nearest_sorter(nearest)->movers, antialiased);
+    if (LIM_HAS_MOVERS) lim_movers_set_antialiased(*nearest->movers, antialiased);
 }
 
 /* One line, from a walk of its own: it needs no pool. */
@@ -128,9 +126,9 @@ static LIM_IF_CALLED int paint_first_line(struct lim_nearest *nearest, struct ba
     struct lim_rect *band = &bands->band;
     const bool antialiased = lim_is_antialiased(&nearest->pass->view);
 
-    if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, false);
+    if (LIM_HAS_ANTIALIAS) lim_nearest_set_antialiased(nearest, false);
     const int err = lim_painter_line(*nearest->painter, *nearest->paint.lent, band->y0);
-    if (LIM_HAS_ANTIALIAS) set_antialiased(nearest, antialiased);
+    if (LIM_HAS_ANTIALIAS) lim_nearest_set_antialiased(nearest, antialiased);
     *nearest->paint.lent = NULL;
     if (band->y1 - band->y0 > 1)
         band->y0++;
@@ -226,7 +224,7 @@ static void begin_frame(struct lim_nearest *nearest)
     nearest->retained.end = nearest->retained.whole;
     if (LIM_HAS_ANTIALIAS) {
         const bool antialiased = lim_wants_antialias(nearest);
-        set_antialiased(nearest, antialiased);
+        lim_nearest_set_antialiased(nearest, antialiased);
         *nearest->spans.kept = antialiased && LIM_IS_SCANLINE(&nearest->pass->target) ? *nearest->line_gaps : 0;
         if (*nearest->spans.kept) nearest->retained.end = cells_before_kept(&nearest->spans);
     }
@@ -239,8 +237,14 @@ static int paint_less(struct lim_nearest *nearest, struct bands *bands, enum lim
     const struct lim_rect *band = &bands->band;
 
     count_band(nearest);
+    if (LIM_HAS_MOVERS && lim_nearest_moves(nearest) && band->y1 - band->y0 == 1 && band->x1 - band->x0 == 1) {
+        const int err = lim_draw_pixel(nearest, band);
+        if (!err) follow(bands, &nearest->pass->target);
+        return err;
+    }
     if (LIM_HAS_FALLBACK && wants_painter(nearest, band, exhausted)) return paint_first_line(nearest, bands);
-    if (!LIM_HAS_ANTIALIAS || !lim_is_antialiased(&nearest->pass->view) || band->y1 - band->y0 > 1) {
+    if (!LIM_HAS_ANTIALIAS || !lim_is_antialiased(&nearest->pass->view) || band->y1 - band->y0 > 1 ||
+        lim_nearest_moves(nearest)) {
         halve(bands);
         return 0;
     }

@@ -13,6 +13,7 @@
 #include "lines/smooth.h"
 #include "lines/smooth_line.h"
 #include "lines/span.h"
+#include "movers/meet.h"
 #include "orders/room.h"
 #include "pieces/mesh_leaf.h"
 #include "screen/project.h"
@@ -95,15 +96,26 @@ static inline bool fills(const struct lim_nearest *nearest)
     return LIM_HAS_FILLED && nearest->fills;
 }
 
+/* Whether it leaves open what it has of the screen: its pixels are divided line by line (crowd.h). A constant where
+ * nothing moves. */
+static inline bool stays_open(const struct lim_nearest *nearest)
+{
+    return LIM_HAS_MOVERS && *nearest->moves;
+}
+
 /* collect_plain() for a polygon that is drawn by its samples: it is retained up to a row of them. */
 static inline bool collect_samples(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon,
                                    struct lim_span_extent shown)
 {
     if (nearest->paint.smooth->line) {
-        lim_smooth_add_polygon(&nearest->paint, &nearest->spans, polygon);
+        if (LIM_HAS_MOVERS && *nearest->by_pixel == LIM_BY_PIXEL_SAMPLES)
+            lim_collect_samples_of_pixel(nearest, polygon);
+        else
+            lim_smooth_add_polygon(&nearest->paint, &nearest->spans, polygon);
         return true;
     }
-    if (!lim_nearest_retains_all(nearest) && !lim_smooth_close(&nearest->spans, polygon, &shown)) return false;
+    if (!lim_nearest_retains_all(nearest) && !lim_smooth_close(&nearest->spans, polygon, &shown, stays_open(nearest)))
+        return false;
     if (shown.top >= shown.bottom) return true;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons_seen++;
     const int16_t rows = (int16_t)(shown.bottom * LIM_SAMPLE_ROWS), end_row = *polygon->shape.end_row;
@@ -117,7 +129,8 @@ static inline bool is_for_fast_path(const struct lim_nearest *nearest, const LIM
 {
     const unsigned slow = LIM_HAS_TRANSPARENT ? LIM_POLYGON_ALPHA : 0u;
 
-    return !(record[0] & slow) && !lim_wireframe_of(nearest->pass) && !lim_is_antialiased(&nearest->pass->view);
+    return !(record[0] & slow) && !lim_wireframe_of(nearest->pass) && !lim_is_antialiased(&nearest->pass->view) &&
+           !(LIM_HAS_MOVERS && *nearest->by_pixel);
 }
 
 /* A polygon that is not non-monotone. false: a pool is exhausted. */
@@ -129,17 +142,24 @@ static bool collect_plain(struct lim_nearest *nearest, const struct lim_screen_p
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->lines += (uint32_t)(shown.bottom - shown.top);
     if (LIM_HAS_FILLED && fills(nearest))
         return fill_lines(nearest, polygon->at, polygon->n, polygon->shape.first, shown, polygon->colour);
+    if (LIM_HAS_MOVERS && *nearest->by_pixel >= LIM_BY_PIXEL_OPAQUE) {
+        lim_collect_look_of_pixel(nearest, polygon);
+        return true;
+    }
     if (LIM_HAS_ANTIALIAS && lim_is_antialiased(&nearest->pass->view)) return collect_samples(nearest, polygon, shown);
     const bool wireframe = lim_wireframe_of(nearest->pass);
     const uint8_t alpha = wireframe ? (uint8_t)LIM_OPAQUE : lim_alpha_of(polygon);
-    if (LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE) {
-        if (!lim_layers_see(&nearest->spans, polygon, shown.top, shown.bottom)) return true;
+    if (stays_open(nearest) || (LIM_HAS_TRANSPARENT && alpha != LIM_OPAQUE)) {
+        if (!lim_nearest_retains_all(nearest) &&
+            !lim_spans_see(&nearest->spans, polygon->at, polygon->n, polygon->shape.first, shown))
+            return true;
     } else if (!lim_nearest_retains_all(nearest)) {
         const struct lim_span_extent lines = shown;
         shown = (struct lim_span_extent){lines.bottom, lines.top};
         if (!close_with_room(nearest, polygon->at, polygon->n, polygon->shape.first, lines, &shown)) return false;
     }
     if (shown.top >= shown.bottom) return true;
+    if (LIM_HAS_MOVERS && !lim_wins_pixel(nearest, polygon->at, polygon->n, polygon->shape.first)) return true;
     if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->polygons_seen++;
     const struct lim_retained_polygon seen = lim_retained_of(polygon, shown.top, shown.bottom, wireframe);
     return retain_with_room(nearest, &seen);
@@ -215,7 +235,10 @@ static inline enum outcome collect_shape(struct lim_nearest *nearest, const LIM_
         const uint16_t colour = lim_memory_colour((uint16_t)record[1]);
         return fill_lines(nearest, at, n, shape->first, shown, colour) ? COLLECTED : EXHAUSTED_POOL;
     }
-    if (!lim_nearest_retains_all(nearest)) {
+    if (moving && stays_open(nearest)) {
+        if (!lim_nearest_retains_all(nearest) && !lim_spans_see(&nearest->spans, at, n, shape->first, shown))
+            return NOTHING_OPEN;
+    } else if (!lim_nearest_retains_all(nearest)) {
         struct lim_span_extent seen = shown;
         if (!close_lines(&nearest->spans, at, n, shape->first, &seen, NULL, NULL) &&
             !close_with_room(nearest, at, n, shape->first, shown, &seen))
@@ -319,6 +342,24 @@ static LIM_RARE bool collect_any_entry(struct lim_nearest *nearest, const LIM_FL
            lim_collect_polygon(nearest, &polygon);
 }
 
+static lim_collect_one collect_leaf_record;
+static bool collect_leaf_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
+{
+    enum outcome outcome =
+        !LIM_OPTIMISE_SIZE && is_for_fast_path(nearest, record) ? collect_fast_entry(nearest, record) : SLOW_PATH;
+
+    if (outcome == SLOW_PATH) outcome = collect_any_entry(nearest, record) ? COLLECTED : EXHAUSTED_POOL;
+    return go_on_after(nearest, outcome);
+}
+
+/* The same where something moves, as far as it has to be asked. */
+static bool collect_of_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
+{
+    if (LIM_HAS_MOVERS && lim_nearest_moves(nearest) && lim_meet_asks(nearest->progress.route))
+        return lim_collect_met(nearest, record, true, collect_leaf_record);
+    return collect_leaf_record(nearest, record);
+}
+
 static bool line_may_show(const struct lim_spans *spans, const struct lim_line *line, uint16_t x0, uint16_t x1)
 {
     const struct lim_gap *gap = &line->gap;
@@ -366,12 +407,8 @@ bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_inde
         if (leaf->used > lim_stats_of(pass)->leaf_polygons_max) lim_stats_of(pass)->leaf_polygons_max = leaf->used;
     }
     if (leaf->extent != LIM_VIEW_INSIDE) nearest->retained.overhangs = true;
-    while (nearest->spans.open_lines && (record = lim_mesh_leaf_next(leaf)) != NULL) {
-        enum outcome outcome =
-            !LIM_OPTIMISE_SIZE && is_for_fast_path(nearest, record) ? collect_fast_entry(nearest, record) : SLOW_PATH;
-        if (outcome == SLOW_PATH) outcome = collect_any_entry(nearest, record) ? COLLECTED : EXHAUSTED_POOL;
-        if (!go_on_after(nearest, outcome)) return false;
-    }
+    while (nearest->spans.open_lines && (record = lim_mesh_leaf_next(leaf)) != NULL)
+        if (!collect_of_leaf(nearest, record)) return false;
     return true;
 }
 

@@ -14,7 +14,7 @@
 #include "screen/project.h"
 #include "view/view.h"
 
-#if LIM_HAS_SPANS && LIM_HAS_PIECES
+#if LIM_HAS_SPANS && LIM_HAS_NEWELL
 
 static enum lim_span_result close_piece_lines(struct lim_spans *spans, const struct lim_point *last, int16_t top,
                                               int16_t bottom)
@@ -34,7 +34,7 @@ static LIM_IF_CALLED bool see_lines(const struct lim_spans *spans, const struct 
 {
     for (int16_t y = top; y < bottom; y++) {
         const struct lim_point *line = &last[bottom - 1 - y];
-        if (lim_layers_see_line(spans, (uint16_t)y, (int16_t)line->x, (int16_t)line->y)) return true;
+        if (lim_spans_see_line(spans, (uint16_t)y, (int16_t)line->x, (int16_t)line->y)) return true;
     }
     return false;
 }

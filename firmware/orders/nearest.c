@@ -14,12 +14,9 @@
 #include "lines/smooth.h"
 #include "lines/smooth_line.h"
 #include "lines/span.h"
+#include "movers/meet.h"
 #include "orders/room.h"
 #include "pieces/entry.h"
-#include "routes/mover_list.h"
-#include "routes/mover_order.h"
-#include "routes/mover_route.h"
-#include "routes/route.h"
 #include "screen/project.h"
 #include "screen/samples.h"
 #include "view/cull.h"
@@ -29,6 +26,13 @@
 
 /* Polygons come from the sorted list: a constant where nothing is walked, for meshes do not come here. */
 #define IS_LISTED(nearest) (!LIM_HAS_WALKED || LIM_IS_SORTED(&(nearest)->pass->target))
+
+static inline bool collect_seen(struct lim_nearest *nearest, const LIM_FLASH lim_index *record)
+{
+    if (LIM_HAS_MOVERS && lim_nearest_moves(nearest) && lim_meet_asks(nearest->progress.route))
+        return lim_collect_met(nearest, record, false, lim_collect_record);
+    return lim_collect_record(nearest, record);
+}
 
 /* Polygons from the walk through the tree. false: a pool is exhausted. */
 static bool collect_run(struct lim_nearest *nearest, lim_index run)
@@ -41,7 +45,7 @@ static bool collect_run(struct lim_nearest *nearest, lim_index run)
         const lim_index head = record[0];
         if (LIM_HAS_STATS) lim_stats_of(pass)->records += (head & LIM_POLYGON_PLANE) != 0;
         if (lim_record_is_seen(&pass->walk->eye, record)) {
-            if (!lim_collect_record(nearest, record)) return false;
+            if (!collect_seen(nearest, record)) return false;
             if (!nearest->spans.open_lines) return true;
         }
         if (head & LIM_POLYGON_LAST) return true;
@@ -49,55 +53,20 @@ static bool collect_run(struct lim_nearest *nearest, lim_index run)
     }
 }
 
-enum { MOVER_EXHAUSTED = 1, MOVER_FULL }; /* a pool; all lines */
-
-static LIM_IF_CALLED int draw_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
-                                    const struct lim_rect *open)
+static LIM_IF_CALLED void begin_meeting(struct lim_nearest *nearest)
 {
-    struct lim_nearest *nearest = ctx;
-
-    (void)open;
-    if (!(entry == LIM_NONE ? lim_collect_polygon(nearest, polygon) : lim_collect_piece(nearest, entry, polygon)))
-        return MOVER_EXHAUSTED;
-    return nearest->spans.open_lines ? 0 : MOVER_FULL;
+    lim_meet_begin(nearest->progress.route, nearest->pass, *nearest->movers, lim_cull_of(nearest->pass));
 }
 
-static LIM_IF_CALLED int take_mover(void *ctx, struct lim_view *view, const struct lim_scene *object,
-                                    const LIM_FLASH lim_index *record, uint16_t first_texture)
+static LIM_IF_CALLED bool collect_meeting(struct lim_nearest *nearest)
 {
-    struct lim_nearest *nearest = ctx;
-    const enum lim_collected how = lim_collect_moving(nearest, view, object, record, first_texture);
-    if (how == LIM_COLLECT_SLOWLY) return LIM_MOVER_DRAW;
-    if (how == LIM_COLLECT_EXHAUSTED) return MOVER_EXHAUSTED;
-    return nearest->spans.open_lines ? 0 : MOVER_FULL;
-}
-
-/* What moves and has come to empty space. false: a pool is exhausted. */
-static LIM_IF_CALLED bool collect_list(struct lim_nearest *nearest, uint16_t list)
-{
-    struct lim_sorter *const sorter = lim_nearest_sorter(nearest);
-    const struct lim_mover_sink sink = {.draw = draw_mover,
-                                        .take = LIM_OPTIMISE_SIZE ? NULL : take_mover,
-                                        .ctx = nearest,
-                                        .open = &nearest->spans.open,
-                                        .back_to_front = false};
-
-    list = lim_movers_order(sorter, list, false);
-    if (lim_movers_draw(sorter, list, &sink) == MOVER_EXHAUSTED) return false;
-    if (!lim_nearest_retains_all(nearest)) lim_nearest_shrink(nearest);
-    return true;
-}
-
-static LIM_IF_CALLED bool collect_with_movers(struct lim_nearest *nearest)
-{
-    struct lim_route route = lim_route_static(lim_nearest_sorter(nearest), false);
     lim_index what;
 
-    lim_route_begin(&route, lim_movers_list(lim_nearest_sorter(nearest), lim_cull_of(nearest->pass)));
+    begin_meeting(nearest);
     while (nearest->spans.open_lines) {
-        const enum lim_route_event event = lim_route_next(&route, &what);
-        if (event == LIM_ROUTE_END) return true;
-        if (!(event == LIM_ROUTE_RUN ? collect_run(nearest, what) : collect_list(nearest, (uint16_t)what)))
+        const enum lim_meet_event event = lim_meet_next(nearest->progress.route, &what);
+        if (event == LIM_MEET_END) return true;
+        if (!(event == LIM_MEET_RUN ? collect_run(nearest, what) : lim_collect_mover(nearest, (uint16_t)what)))
             return false;
     }
     return true;
@@ -109,7 +78,7 @@ static LIM_IF_CALLED bool collect_from_tree(struct lim_nearest *nearest, const s
 
     if (LIM_HAS_CULL)
         lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8, band);
-    if (LIM_HAS_MOVERS && lim_moves(lim_nearest_sorter(nearest))) return collect_with_movers(nearest);
+    if (LIM_HAS_MOVERS && lim_nearest_moves(nearest)) return collect_meeting(nearest);
     lim_walk_begin(nearest->pass->walk, false);
     while (nearest->spans.open_lines && (run = lim_walk_next(nearest->pass->walk, lim_cull_of(nearest->pass),
                                                              lim_stats_of(nearest->pass))) != LIM_NO_INDEX) {
@@ -175,7 +144,7 @@ static LIM_IF_CALLED bool collect_some_of_run(struct lim_nearest *nearest)
         const lim_index head = record[0];
         if (LIM_HAS_STATS) lim_stats_of(nearest->pass)->records += (head & LIM_POLYGON_PLANE) != 0;
         is_seen = lim_record_is_seen(&nearest->pass->walk->eye, record);
-        if (is_seen && !lim_collect_record(nearest, record)) return false;
+        if (is_seen && !collect_seen(nearest, record)) return false;
         record = head & LIM_POLYGON_LAST || !nearest->spans.open_lines ? NULL : record + lim_record_words(head);
     }
     nearest->progress.record = record;
@@ -187,21 +156,19 @@ static LIM_IF_CALLED void begin_tree(struct lim_nearest *nearest, const struct l
     nearest->progress.record = NULL;
     if (LIM_HAS_CULL)
         lim_cull_set(lim_cull_of(nearest->pass), &nearest->pass->view, lim_eye_of(nearest->pass)->at_q8, frame);
-    if (LIM_HAS_MOVERS && lim_moves(lim_nearest_sorter(nearest))) {
-        *nearest->progress.route = lim_route_static(lim_nearest_sorter(nearest), false);
-        lim_route_begin(nearest->progress.route,
-                        lim_movers_list(lim_nearest_sorter(nearest), lim_cull_of(nearest->pass)));
+    if (LIM_HAS_MOVERS && lim_nearest_moves(nearest)) {
+        begin_meeting(nearest);
         return;
     }
     lim_walk_begin(nearest->pass->walk, false);
 }
 
 /* LIM_NO_INDEX: there is none. With movers, they may come instead. */
-static LIM_IF_CALLED enum lim_route_event next_of_tree(struct lim_nearest *nearest, lim_index *what)
+static LIM_IF_CALLED enum lim_meet_event next_of_tree(struct lim_nearest *nearest, lim_index *what)
 {
-    if (LIM_HAS_MOVERS && lim_moves(lim_nearest_sorter(nearest))) return lim_route_next(nearest->progress.route, what);
+    if (LIM_HAS_MOVERS && lim_nearest_moves(nearest)) return lim_meet_next(nearest->progress.route, what);
     *what = lim_walk_next(nearest->pass->walk, lim_cull_of(nearest->pass), lim_stats_of(nearest->pass));
-    return *what == LIM_NO_INDEX ? LIM_ROUTE_END : LIM_ROUTE_RUN;
+    return *what == LIM_NO_INDEX ? LIM_MEET_END : LIM_MEET_RUN;
 }
 
 /* A quantum: a polygon, a mesh leaf, or what has moved to one place. */
@@ -211,10 +178,10 @@ static LIM_IF_CALLED enum lim_ahead_stage collect_some_of_tree(struct lim_neares
 
     if (!nearest->progress.record) {
         if (!nearest->spans.open_lines) return LIM_AHEAD_DONE;
-        const enum lim_route_event event = next_of_tree(nearest, &what);
-        if (event == LIM_ROUTE_END) return LIM_AHEAD_DONE;
-        if (LIM_HAS_MOVERS && event == LIM_ROUTE_LIST)
-            return collect_list(nearest, (uint16_t)what) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
+        const enum lim_meet_event event = next_of_tree(nearest, &what);
+        if (event == LIM_MEET_END) return LIM_AHEAD_DONE;
+        if (LIM_HAS_MOVERS && event == LIM_MEET_MOVER)
+            return lim_collect_mover(nearest, (uint16_t)what) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;
         nearest->progress.record = &nearest->pass->scene->polygons[what];
     }
     return collect_some_of_run(nearest) ? LIM_AHEAD_BUSY : LIM_AHEAD_EXHAUSTED;

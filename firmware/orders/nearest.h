@@ -12,10 +12,16 @@
 #include "orders/painter.h"
 #include "view/cull.h"
 
-/* The lists of movers, or of a sorted method's polygons; NULL where neither is linked. */
+/* Of a sorted method; NULL where none is linked. */
 static inline struct lim_sorter *lim_nearest_sorter(const struct lim_nearest *nearest)
 {
-    return LIM_HAS_LISTS ? *nearest->sorter : NULL;
+    return LIM_HAS_SORTED ? *nearest->sorter : NULL;
+}
+
+/* Whether the frame has movers. */
+static inline bool lim_nearest_moves(const struct lim_nearest *nearest)
+{
+    return LIM_HAS_MOVERS && lim_moves(*nearest->movers);
 }
 
 /* What memory it asks for (`least`: with less it is refused), and how it cuts that up. */
@@ -46,7 +52,8 @@ void lim_collect_begin(struct lim_nearest *nearest, const struct lim_rect *frame
 enum lim_ahead_stage lim_collect_some(struct lim_nearest *nearest);
 
 /* Pass one for a record that faces the eye, or for a projected polygon. false: a pool is exhausted. */
-bool lim_collect_record(struct lim_nearest *nearest, const LIM_FLASH lim_index *record);
+typedef bool lim_collect_one(struct lim_nearest *nearest, const LIM_FLASH lim_index *record);
+lim_collect_one lim_collect_record;
 bool lim_collect_polygon(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon);
 
 /* For a record of what moves, if it is as most are; else nothing is done, and it has to be projected and drawn. */
@@ -57,6 +64,32 @@ enum lim_collected lim_collect_moving(struct lim_nearest *nearest, struct lim_vi
 
 /* For all polygons of a mesh leaf whose run begins with this record. */
 bool lim_collect_mesh_leaf(struct lim_nearest *nearest, const LIM_FLASH lim_index *run);
+
+/* Where the walk has come to a mover: what of it is open is retained, and closes nothing. false: a pool is exhausted.
+ */
+bool lim_collect_mover(struct lim_nearest *nearest, uint16_t mover);
+
+/* A record that faces the eye, by `collect`; movers come first that it may be behind, and what it is to others is told
+ * with it. of_corners: as lim_meet_before(). false: a pool is exhausted. */
+bool lim_collect_met(struct lim_nearest *nearest, const LIM_FLASH lim_index *record, bool of_corners,
+                     lim_collect_one *collect);
+
+/* A band of one pixel of what moves (one_pixel.c): how it is collected. */
+void lim_open_pixel(struct lim_nearest *nearest, const struct lim_rect *band);
+
+/* Of LIM_BY_PIXEL_RETAINED: whether a polygon that comes, and has the pixel, is to be retained: all that was is gone
+ * then. In other bands all are. */
+bool lim_wins_pixel(struct lim_nearest *nearest, const struct lim_point *at, uint8_t n, uint8_t first);
+
+/* Of others: a polygon that comes. */
+void lim_collect_samples_of_pixel(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon);
+void lim_collect_look_of_pixel(struct lim_nearest *nearest, const struct lim_screen_polygon *polygon);
+
+/* All of it, where the pools do not hold what is mixed there, or added. */
+LIM_MUST_CHECK int lim_draw_pixel(struct lim_nearest *nearest, const struct lim_rect *band);
+
+/* In all views of the frame. */
+void lim_nearest_set_antialiased(struct lim_nearest *nearest, bool antialiased);
 
 /* Draws the open view together, and CULL's planes with it. */
 static inline void lim_nearest_shrink(struct lim_nearest *nearest)
@@ -86,7 +119,7 @@ static inline bool lim_nearest_is_plain(const struct lim_nearest *nearest)
 /* Whether these are also as lim_can_fill() says. */
 static inline bool lim_nearest_can_fill(const struct lim_nearest *nearest)
 {
-    return lim_nearest_is_plain(nearest) && lim_can_fill(lim_nearest_sorter(nearest), nearest->pass);
+    return lim_nearest_is_plain(nearest) && !lim_nearest_moves(nearest) && lim_can_fill(nearest->pass);
 }
 
 /* Whether lines can be painted of all that is in view: antialiased, in one colour a polygon; with textures, where
@@ -94,9 +127,9 @@ static inline bool lim_nearest_can_fill(const struct lim_nearest *nearest)
 static inline bool lim_nearest_may_retain_all(const struct lim_nearest *nearest)
 {
     const struct lim_pass *pass = nearest->pass;
-    const bool mixed = LIM_HAS_TEXTURE && lim_texture_count(pass->scene) && lim_moves(lim_nearest_sorter(nearest));
+    const bool mixed = LIM_HAS_TEXTURE && lim_texture_count(pass->scene) && lim_nearest_moves(nearest);
 
-    if (lim_wants_antialias(nearest)) return lim_can_fill(lim_nearest_sorter(nearest), pass);
+    if (lim_wants_antialias(nearest)) return !lim_nearest_moves(nearest) && lim_can_fill(pass);
     return lim_nearest_is_plain(nearest) && lim_is_opaque(pass) && !mixed;
 }
 

@@ -27,6 +27,7 @@ void lim_nearest_open(struct lim_nearest *nearest, const struct lim_rect *band)
     nearest->since_shrink = 0;
     nearest->top = band->y0;
     nearest->bottom = band->y1;
+    if (LIM_HAS_MOVERS) lim_open_pixel(nearest, band);
     if (LIM_HAS_SCANLINE) nearest->retains_all = can_retain_all(nearest, band);
     nearest->retained.size = nearest->retained.end;
     if (LIM_HAS_FENCE && !lim_nearest_retains_all(nearest))

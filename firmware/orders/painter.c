@@ -17,10 +17,6 @@
 #include "pixels/blend.h"
 #include "pixels/fill.h"
 #include "pixels/texture.h"
-#include "routes/mover_list.h"
-#include "routes/mover_order.h"
-#include "routes/mover_route.h"
-#include "routes/route.h"
 #include "screen/edge.h"
 #include "screen/polygon.h"
 #include "screen/project.h"
@@ -56,8 +52,7 @@ static inline bool fills_framebuffer(const struct lim_painter *painter)
 {
     const struct lim_pass *pass = painter->pass;
 
-    return lim_has_framebuffer(&pass->target) && !(LIM_HAS_FALLBACK && *painter->lent) &&
-           lim_can_fill(lim_painter_sorter(painter), pass);
+    return lim_has_framebuffer(&pass->target) && !(LIM_HAS_FALLBACK && *painter->lent) && lim_can_fill(pass);
 }
 
 static uint16_t *line_at(struct lim_painter *painter, uint16_t y)
@@ -279,50 +274,6 @@ static LIM_IF_CALLED int paint_piece_line(struct lim_painter *painter, uint16_t 
     return 0;
 }
 
-/* The part of the screen that is painted is all of it, or a line. */
-static LIM_IF_CALLED int paint_mover(void *ctx, uint16_t entry, const struct lim_screen_polygon *polygon,
-                                     const struct lim_rect *screen)
-{
-    struct lim_painter *painter = ctx;
-    const int16_t bottom = polygon->shape.bottom < (int16_t)screen->y1 ? polygon->shape.bottom : (int16_t)screen->y1;
-
-    if (entry == LIM_NONE) return paint_any(painter, polygon, screen);
-    for (int16_t y = polygon->shape.top > (int16_t)screen->y0 ? polygon->shape.top : (int16_t)screen->y0; y < bottom;
-         y++) {
-        const int err = paint_piece_line(painter, entry, polygon, (uint16_t)y);
-        if (err) return err;
-    }
-    return 0;
-}
-
-/* What moves and has come to empty space. */
-static LIM_IF_CALLED int paint_list(struct lim_painter *painter, uint16_t list, const struct lim_rect *screen)
-{
-    struct lim_sorter *const sorter = lim_painter_sorter(painter);
-
-    const struct lim_mover_sink sink = {.draw = paint_mover, .ctx = painter, .open = screen, .back_to_front = true};
-
-    list = lim_movers_order(sorter, list, true);
-    return lim_movers_draw(sorter, list, &sink);
-}
-
-static LIM_IF_CALLED int paint_with_movers(struct lim_painter *painter, const struct lim_rect *screen)
-{
-    struct lim_pass *const pass = painter->pass;
-    struct lim_route route = lim_route_static(lim_painter_sorter(painter), true);
-    lim_index what;
-
-    if (LIM_HAS_CULL) lim_cull_set(lim_cull_of(pass), &pass->view, lim_eye_of(pass)->at_q8, screen);
-    lim_route_begin(&route, lim_movers_list(lim_painter_sorter(painter), lim_cull_of(pass)));
-    for (;;) {
-        const enum lim_route_event event = lim_route_next(&route, &what);
-        if (event == LIM_ROUTE_END) return 0;
-        const int err =
-            event == LIM_ROUTE_RUN ? paint_run(painter, what, screen) : paint_list(painter, (uint16_t)what, screen);
-        if (err) return err;
-    }
-}
-
 static LIM_IF_CALLED int paint_sorted(struct lim_painter *painter, const struct lim_rect *screen)
 {
     struct lim_pass *const pass = painter->pass;
@@ -344,7 +295,6 @@ static LIM_IF_CALLED int paint_sorted(struct lim_painter *painter, const struct 
 static int paint_from_source(struct lim_painter *painter, const struct lim_rect *screen)
 {
     if (!LIM_HAS_TREE || LIM_IS_SORTED(&painter->pass->target)) return paint_sorted(painter, screen);
-    if (LIM_HAS_MOVERS && lim_moves(lim_painter_sorter(painter))) return paint_with_movers(painter, screen);
     return paint_tree(painter, screen);
 }
 

@@ -13,17 +13,17 @@ static inline bool lim_is_opaque(const struct lim_pass *pass)
     return !(LIM_HAS_TRANSPARENT && pass->scene->limits.layers) && !lim_wireframe_of(pass);
 }
 
-/* Whether all of a frame is made of pieces in one opaque colour each, and of no others: a target that keeps the whole
- * picture can have them as they are found. */
-static inline bool lim_can_fill(const struct lim_sorter *sorter, const struct lim_pass *pass)
+/* Whether all of a frame in which nothing moves is made of pieces in one opaque colour each, and of no others: a target
+ * that keeps the whole picture can have them as they are found. */
+static inline bool lim_can_fill(const struct lim_pass *pass)
 {
-    return lim_is_opaque(pass) && !(LIM_HAS_TEXTURE && lim_texture_count(pass->scene)) && !lim_moves(sorter);
+    return lim_is_opaque(pass) && !(LIM_HAS_TEXTURE && lim_texture_count(pass->scene));
 }
 
-/* The lists of movers, or of a sorted method's polygons; NULL where neither is linked. */
+/* Of a sorted method; NULL where none is linked. */
 static inline struct lim_sorter *lim_painter_sorter(const struct lim_painter *painter)
 {
-    return LIM_HAS_LISTS ? *painter->sorter : NULL;
+    return LIM_HAS_SORTED ? *painter->sorter : NULL;
 }
 
 size_t lim_painter_mem_b(const struct lim_scene *scene);

@@ -23,7 +23,7 @@ static bool can_shorten(const struct lim_nearest *nearest)
 {
     return nearest->bottom - nearest->top >= LEAST_LINES && !LIM_IS_SORTED(&nearest->pass->target) && !nearest->fills &&
            !lim_wireframe_of(nearest->pass) && !lim_is_antialiased(&nearest->pass->view) &&
-           !(LIM_HAS_MOVERS && lim_moves(*nearest->sorter));
+           !(LIM_HAS_MOVERS && lim_moves(*nearest->movers));
 }
 
 static uint_fast16_t cells_of(const union lim_retained_cell *cells)

@@ -15,13 +15,11 @@
  * comparisons are counted: when there are none left, the list is painted as it is. */
 #include "pieces/newell.h"
 
-#include "movers/deform.h"
-#include "pieces/entry.h"
 #include "pieces/piece.h"
 #include "pieces/sorter.h"
 #include "view/pass.h"
 
-#if LIM_HAS_PIECES
+#if LIM_HAS_NEWELL
 
 /* How often an entry may be compared before its part is divided: of the whole list, times its entries, which no scene
  * needs whose polygons mostly have an order; and of a part. */
@@ -36,8 +34,8 @@ struct couple {
 
 bool lim_newell_add(struct lim_sorter *sorter, uint16_t entry, int32_t near_qv, lim_index node, bool eye_in_front)
 {
-    sorter->newell->polygons[entry] = (struct lim_newell_polygon){
-        .near_qv = near_qv, .node = node, .cuts = LIM_NONE, .eye_in_front = eye_in_front, .owner = LIM_NONE};
+    sorter->newell->polygons[entry] =
+        (struct lim_newell_polygon){.near_qv = near_qv, .node = node, .cuts = LIM_NONE, .eye_in_front = eye_in_front};
     return lim_piece_rect(sorter, entry);
 }
 
@@ -112,16 +110,6 @@ static bool passes(struct lim_sorter *sorter, struct couple *couple, enum lim_ne
     return !(couple->p_sides & LIM_SIDE_BACK);
 }
 
-/* Whose entries P has an order with: the polygons of an object became entries one after the other, nearest first.
- * LIM_NONE: nobody's. */
-static uint16_t owner_in_order(const struct lim_sorter *sorter, uint16_t p)
-{
-    const uint16_t owner = lim_entry_owner(sorter, p);
-
-    if (!LIM_HAS_MOVERS || owner == LIM_NONE || lim_entry_is_cut(sorter, p)) return LIM_NONE;
-    return lim_deforms(&sorter->movers->instances[owner]) ? (uint16_t)LIM_NONE : owner;
-}
-
 /* Whether tests 1 and 2 come first, and are asked by a function of their own: not by the smallest code. */
 static bool asks_at_once(const struct lim_sorter *sorter)
 {
@@ -161,7 +149,6 @@ static bool find_obstacle(struct lim_sorter *sorter, struct couple *couple)
 {
     const struct lim_sorted *list = sorter->list;
     const int32_t near_qv = polygon_of(sorter, couple->p)->near_qv;
-    const uint16_t owner = owner_in_order(sorter, couple->p);
     const bool rects_first = asks_at_once(sorter);
 
     for (uint16_t q = list[couple->p].next; q != LIM_NONE; q = list[q].next) {
@@ -170,9 +157,6 @@ static bool find_obstacle(struct lim_sorter *sorter, struct couple *couple)
             return false;
         }
         (void)spend(sorter);
-        if (LIM_HAS_MOVERS && owner != LIM_NONE && q < couple->p && lim_entry_owner(sorter, q) == owner &&
-            !lim_entry_is_cut(sorter, q))
-            continue;
         if (rects_first && is_apart(sorter, couple->p, q)) continue;
         couple->q = q;
         couple->known = false;
@@ -242,8 +226,7 @@ static bool split_couple(struct lim_sorter *sorter, struct couple *couple)
 {
     look_at_planes(sorter, couple);
     const bool p_splits = couple->p_sides == LIM_SIDE_BOTH;
-    const bool q_splits =
-        couple->q_sides == LIM_SIDE_BOTH && !(p_splits && (sorter->newell->options.split_one || sorter->comparing));
+    const bool q_splits = couple->q_sides == LIM_SIDE_BOTH && !(p_splits && sorter->newell->options.split_one);
     bool done = false;
 
     if (p_splits) done = split(sorter, couple->p, couple->q);
@@ -286,24 +269,11 @@ static bool resolve(struct lim_sorter *sorter, struct couple *couple)
     return split_couple(sorter, couple) || (in_circle && split_circle(sorter, couple->q));
 }
 
-/* Whether none of a polygon's other pieces has been painted: `painted` are all that have, nearest first. */
-static bool is_farthest(const struct lim_sorter *sorter, uint16_t entry, uint16_t painted)
-{
-    const uint16_t owner = lim_entry_owner(sorter, entry);
-    const lim_index record = sorter->list[entry].record;
-
-    for (; painted != LIM_NONE; painted = sorter->list[painted].next)
-        if (sorter->list[painted].record == record && lim_entry_owner(sorter, painted) == owner) return false;
-    return true;
-}
-
 /* The first entry of a list is painted next. */
 static uint16_t emit(struct lim_sorter *sorter, uint16_t *first, uint16_t nearest)
 {
     const uint16_t entry = *first;
 
-    if (LIM_HAS_MOVERS && lim_entry_is_cut(sorter, entry))
-        polygon_of(sorter, entry)->farthest = is_farthest(sorter, entry, nearest);
     *first = sorter->list[entry].next;
     sorter->list[entry].next = nearest;
     return entry;
@@ -321,7 +291,6 @@ static bool may_compare(const struct lim_sorter *sorter, uint32_t pause)
  * what is ordered; the others stay in the list. */
 static uint16_t order_part(struct lim_sorter *sorter, uint16_t nearest, uint32_t pause)
 {
-
     while (sorter->first != LIM_NONE && may_compare(sorter, pause)) {
         struct couple couple = {.p = sorter->first};
         if (find_obstacle(sorter, &couple)) {

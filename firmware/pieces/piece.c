@@ -4,16 +4,16 @@
  * own corners. */
 #include "pieces/piece.h"
 
-#include "movers/deform.h"
 #include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "screen/edge.h"
 #include "screen/project.h"
 #include "view/clip.h"
+#include "view/plane_unpacked.h"
 #include "view/transform.h"
 #include "view/view.h"
 
-#if LIM_HAS_PIECES
+#if LIM_HAS_NEWELL
 
 static uint8_t piece_side_of(int64_t value, int64_t slack)
 {
@@ -29,24 +29,9 @@ static uint8_t narrow_side_of(const struct lim_plane_unpacked *plane, const stru
     return value > slack ? LIM_SIDE_FRONT : value < -slack ? LIM_SIDE_BACK : 0;
 }
 
-static uint8_t sides_of_mover(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
+static uint8_t sides_of_whole(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
 {
-    const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
-    const int64_t slack_q12 = plane->slack * LIM_CORNER_ONE_Q12;
-    uint8_t sides = 0;
-
-    for (uint_fast8_t k = 0; k < (record[0] & LIM_POLYGON_COUNT) && sides != LIM_SIDE_BOTH; k++) {
-        int32_t at_q12[3];
-        lim_entry_corner(sorter, entry, record[LIM_POLYGON_HEAD_WORDS + k], at_q12);
-        sides |= piece_side_of(lim_corner_value(plane, at_q12), slack_q12);
-    }
-    return sides;
-}
-
-/* The plane is of the scene that the record is of. */
-static uint8_t sides_at_home(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
-{
-    const LIM_FLASH struct lim_vertex *vertices = lim_entry_scene(sorter, entry)->vertices;
+    const LIM_FLASH struct lim_vertex *vertices = sorter->pass->scene->vertices;
     const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
     uint8_t sides = 0;
 
@@ -59,39 +44,20 @@ static uint8_t sides_at_home(const struct lim_sorter *sorter, uint16_t entry, co
     return sides;
 }
 
-static uint8_t sides_of_whole(const struct lim_sorter *sorter, uint16_t entry, const struct lim_plane_unpacked *plane)
-{
-    if (LIM_HAS_MOVERS && lim_entry_owner(sorter, entry) != LIM_NONE) return sides_of_mover(sorter, entry, plane);
-    return sides_at_home(sorter, entry, plane);
-}
-
 static bool piece_is_same(const LIM_FLASH struct lim_plane_ref *a, const LIM_FLASH struct lim_plane_ref *b)
 {
     return a->plane == b->plane && a->offset == b->offset;
 }
 
-/* Whether two entries whose records name the same plane have the same one: other objects have others, and polygons
- * whose plane is that of their corners only their own. */
-static bool have_one_plane(const struct lim_sorter *sorter, uint16_t a, uint16_t b)
-{
-    const uint16_t owner = lim_entry_owner(sorter, a);
-
-    if (owner != lim_entry_owner(sorter, b)) return false;
-    if (LIM_HAS_CORNER_PLANES && lim_plane_is_of_corners(sorter, a))
-        return sorter->list[a].record == sorter->list[b].record;
-    return true;
-}
-
 /* 0: it was never cut by that plane. */
-static uint8_t remembered_side(const struct lim_sorter *sorter, uint16_t entry, uint16_t other)
+static uint8_t remembered_side(const struct lim_sorter *sorter, uint16_t entry,
+                               const LIM_FLASH struct lim_plane_ref *plane)
 {
     const struct lim_newell *newell = sorter->newell;
-    const LIM_FLASH struct lim_plane_ref *plane = lim_plane_of(sorter, other);
 
     for (uint16_t cut = newell->polygons[entry].cuts; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         const uint16_t by = newell->cuts[cut].by;
         if (!piece_is_same(lim_plane_of(sorter, by & LIM_SORTED_MAX), plane)) continue;
-        if (!have_one_plane(sorter, by & LIM_SORTED_MAX, other)) continue;
         return by & LIM_CUT_FRONT ? LIM_SIDE_FRONT : LIM_SIDE_BACK;
     }
     return 0;
@@ -110,116 +76,56 @@ static LIM_RARE uint8_t sides_of_piece(const struct lim_sorter *sorter, uint16_t
     return sides;
 }
 
-uint8_t lim_piece_sides_of(const struct lim_sorter *sorter, uint16_t of, const struct lim_plane_unpacked *plane)
-{
-    const uint8_t sides = sides_of_whole(sorter, of, plane);
-
-    return !lim_entry_is_cut(sorter, of) || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(sorter, of, plane);
-}
-
-/* Two polygons of one object, whose planes are its own. */
-static bool are_of_one_object(const struct lim_sorter *sorter, uint16_t a, uint16_t b)
-{
-    const uint16_t owner = lim_entry_owner(sorter, a);
-
-    return owner != LIM_NONE && owner == lim_entry_owner(sorter, b) && !lim_deforms(&sorter->movers->instances[owner]);
-}
-
 uint8_t lim_piece_sides(const struct lim_sorter *sorter, uint16_t of, uint16_t by)
 {
     const bool whole = !lim_entry_is_cut(sorter, of);
     struct lim_plane_unpacked plane;
 
     if (!whole) {
-        const uint8_t side = remembered_side(sorter, of, by);
+        const uint8_t side = remembered_side(sorter, of, lim_plane_of(sorter, by));
         if (side) return side;
     }
-    if (LIM_HAS_MOVERS && are_of_one_object(sorter, of, by)) { /* as if they stood still */
-        lim_plane_load_own(&plane, sorter, by);
-        const uint8_t sides = sides_at_home(sorter, of, &plane);
-        if (whole || sides != LIM_SIDE_BOTH) return sides;
-    }
-    lim_plane_load_for(&plane, sorter, by, of);
+    lim_plane_load(&plane, sorter, by);
     const uint8_t sides = sides_of_whole(sorter, of, &plane);
     return whole || sides != LIM_SIDE_BOTH ? sides : sides_of_piece(sorter, of, &plane);
 }
 
 /* On the screen ------------------------------------------------------------------------------- */
 
-/* transform.h's rows times a corner with `bits` fraction bits. Sums stay below 2^60; values where a vertex's do. */
-static int32_t transform_fine(const struct lim_row *row, const int32_t at[3], uint8_t bits)
+/* transform.h's rows times a corner. Sums stay below 2^59; values where a vertex's do. */
+static int32_t transform_q12(const struct lim_row *row, const int32_t at_q12[3])
 {
     int64_t sum = 0;
 
     for (uint_fast8_t i = 0; i < 3; i++) {
 #if LIM_HAS_LIMBS
-        sum += ((int64_t)row->n_qv[i] * 32768 + row->low_qv15[i]) * at[i];
+        sum += ((int64_t)row->n_qv[i] * 32768 + row->low_qv15[i]) * at_q12[i];
 #else
-        sum += (int64_t)row->n_qv[i] * at[i];
+        sum += (int64_t)row->n_qv[i] * at_q12[i];
 #endif
     }
-    return (int32_t)(sum >> (LIM_HAS_LIMBS ? bits + 15 : bits)) + row->shift_qv;
+    return (int32_t)(sum >> (LIM_HAS_LIMBS ? 27 : 12)) + row->shift_qv;
 }
 
-/* Movers may leave the scene's box, for which its own view has room. */
-static const struct lim_view *view_of(const struct lim_sorter *sorter, uint8_t *bits)
+static void view_corner(const struct lim_view *view, const int32_t at_q12[3], struct lim_view_point *out)
 {
-    const bool is_newell = !LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target);
-
-    *bits = is_newell ? 12 : 13;
-    if (LIM_HAS_FAR_MOVERS && lim_movers_are_far(sorter->movers)) return &sorter->pass->view;
-    if (LIM_HAS_MOVERS && !is_newell) return lim_movers_world(sorter->movers);
-    return &sorter->pass->view;
-}
-
-/* Along z, in the scale in which entries are compared. */
-static int32_t depth_of(const struct lim_sorter *sorter, const int32_t at_q12[3])
-{
-    if (LIM_HAS_MOVERS && !LIM_IS_NEWELL(&sorter->pass->target)) return lim_mover_depth(sorter->movers, at_q12);
-    return transform_fine(&sorter->pass->view.rows.row[2], at_q12, 12);
-}
-
-static LIM_IF_CALLED int32_t frame_depth_of(const struct lim_sorter *sorter, const struct lim_corners *corners,
-                                            uint_fast8_t k)
-{
-    if (!lim_movers_are_far(sorter->movers)) return depth_of(sorter, corners->at_q12[k]);
-    return lim_far_depth(sorter->movers, *corners->exponent, corners->at_q12[k]);
-}
-
-static void view_corner(const struct lim_sorter *sorter, const int32_t at_q12[3], struct lim_view_point *out)
-{
-    uint8_t bits;
-    const struct lim_view *view = view_of(sorter, &bits);
-
     for (uint_fast8_t i = 0; i < 3; i++)
-        out->qv[i] = transform_fine(&view->rows.row[i], at_q12, bits);
+        out->qv[i] = transform_q12(&view->rows.row[i], at_q12);
     transform_settle(&view->rows, out->qv);
     if (LIM_HAS_LONG) *out->exponent = 0;
-}
-
-static LIM_IF_CALLED void frame_view_corner(const struct lim_sorter *sorter, const struct lim_corners *corners,
-                                            uint_fast8_t k, struct lim_view_point *out)
-{
-    if (lim_movers_are_far(sorter->movers))
-        lim_far_view_corner(&sorter->pass->view, *corners->exponent, corners->at_q12[k], out);
-    else
-        view_corner(sorter, corners->at_q12[k], out);
+    lim_view_hide_edge(out, false);
 }
 
 static LIM_RARE bool project_corners(const struct lim_sorter *sorter, const struct lim_corners *corners,
                                      struct lim_screen_polygon *out)
 {
+    const struct lim_view *view = &sorter->pass->view;
     struct lim_clip_polygon clips[2];
-    uint8_t bits;
-    const struct lim_view *view = view_of(sorter, &bits);
 
     lim_clip_begin(&clips[0], view);
     clips[0].n = corners->n;
-    for (uint_fast8_t k = 0; k < corners->n; k++) {
-        LIM_HAS_FAR_MOVERS ? frame_view_corner(sorter, corners, k, &clips[0].at[k])
-                           : view_corner(sorter, corners->at_q12[k], &clips[0].at[k]);
-        lim_view_hide_edge(&clips[0].at[k], false);
-    }
+    for (uint_fast8_t k = 0; k < corners->n; k++)
+        view_corner(view, corners->at_q12[k], &clips[0].at[k]);
     const struct lim_clip_polygon *clipped = lim_clip(clips, view->rows.near_qv);
     out->n = clipped->n;
     for (uint_fast8_t k = 0; k < clipped->n; k++)
@@ -285,12 +191,11 @@ static bool piece_project(struct lim_sorter *sorter, uint16_t of, uint16_t by, u
     struct lim_plane_unpacked plane;
 
     if (part == LIM_SIDE_BOTH && !lim_entry_is_cut(sorter, of))
-        return lim_project(out, lim_entry_view(sorter, of), lim_entry_scene(sorter, of), lim_entry_record(sorter, of),
-                           open, NULL);
+        return lim_project(out, &sorter->pass->view, sorter->pass->scene, lim_entry_record(sorter, of), open, NULL);
     if (part == LIM_SIDE_BOTH) {
         corners = lim_corners_of(sorter, of, places);
     } else {
-        lim_plane_load_for(&plane, sorter, by, of);
+        lim_plane_load(&plane, sorter, by);
         corners = lim_corners_cut(sorter, of, &plane, (part == LIM_SIDE_FRONT) == polygons[by].eye_in_front, places);
     }
     return corners && project_corners(sorter, corners, out);
@@ -328,18 +233,8 @@ static struct lim_rect rect_of(const struct lim_sorter *sorter, const struct lim
     return both.x0 < both.x1 && both.y0 < both.y1 ? both : *whole;
 }
 
-/* Corners that are kept for what comes next, before the cuts are remembered. false: a piece would have too many. */
-static LIM_IF_CALLED bool split_corners(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
-{
-    struct lim_plane_unpacked plane;
-
-    if (LIM_OPTIMISE_SIZE) return true;
-    lim_plane_load_for(&plane, sorter, by, entry);
-    return lim_corners_split(sorter, entry, &plane, sorter->newell->cuts_used);
-}
-
-/* What is known of an entry that is compared; of a piece's pixels, too. false: it has too many corners. */
-static bool find_bounds(struct lim_sorter *sorter, uint16_t entry, bool on_screen)
+/* What is known of a piece. false: it has too many corners. */
+static bool find_bounds(struct lim_sorter *sorter, uint16_t entry)
 {
     struct lim_newell_polygon *polygon = &sorter->newell->polygons[entry];
     struct lim_corners places[2];
@@ -348,14 +243,13 @@ static bool find_bounds(struct lim_sorter *sorter, uint16_t entry, bool on_scree
 
     if (!corners) return false;
     for (uint_fast8_t k = 0; k < corners->n; k++) {
-        const int32_t z_qv =
-            LIM_HAS_FAR_MOVERS ? frame_depth_of(sorter, corners, k) : depth_of(sorter, corners->at_q12[k]);
+        const int32_t z_qv = transform_q12(&sorter->pass->view.rows.row[2], corners->at_q12[k]);
         if (z_qv < near_qv) near_qv = z_qv;
         if (z_qv > far_qv) far_qv = z_qv;
     }
     polygon->near_qv = near_qv;
     sorter->list[entry].far_qv = far_qv;
-    if (on_screen) polygon->rect = rect_of(sorter, corners, &polygon->rect);
+    polygon->rect = rect_of(sorter, corners, &polygon->rect);
     return true;
 }
 
@@ -369,7 +263,6 @@ static void remember(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
 
 bool lim_piece_has_room(const struct lim_sorter *sorter)
 {
-
     return sorter->used != sorter->size && sorter->newell->cut_size - sorter->newell->cuts_used >= 2;
 }
 
@@ -383,13 +276,10 @@ uint16_t lim_piece_split(struct lim_sorter *sorter, uint16_t entry, uint16_t by)
     const struct lim_newell_polygon polygon = newell->polygons[entry];
     sorter->list[other] = before;
     newell->polygons[other] = polygon;
-    const bool moves = LIM_HAS_MOVERS && !LIM_IS_NEWELL(&sorter->pass->target);
-    const bool has_corners = !moves || split_corners(sorter, entry, by);
     remember(sorter, entry, (uint16_t)(by | LIM_CUT_FRONT));
     remember(sorter, other, by);
-    if (!has_corners || !find_bounds(sorter, entry, true) || !find_bounds(sorter, other, true)) {
+    if (!find_bounds(sorter, entry) || !find_bounds(sorter, other)) {
         newell->cuts_used = (uint16_t)(newell->cuts_used - 2);
-        if (LIM_HAS_MOVERS && !LIM_OPTIMISE_SIZE) lim_mover_forget_pieces(sorter->movers);
         sorter->list[entry] = before;
         newell->polygons[entry] = polygon;
         return LIM_NONE;
@@ -409,20 +299,13 @@ bool lim_piece_rect(struct lim_sorter *sorter, uint16_t entry)
     const struct lim_rect screen = {0, 0, w_px, h_px};
     struct lim_screen_polygon whole;
 
-    if (!lim_project(&whole, lim_entry_view(sorter, entry), lim_entry_scene(sorter, entry),
-                     lim_entry_record(sorter, entry), &screen, NULL))
+    if (!lim_project(&whole, &sorter->pass->view, sorter->pass->scene, lim_entry_record(sorter, entry), &screen, NULL))
         return false;
     const struct lim_edge_shape *shape = &whole.shape;
-    sorter->newell->polygons[entry].has_extent = false;
     sorter->newell->polygons[entry].rect =
         (struct lim_rect){piece_within(shape->left, w_px), piece_within(shape->top, h_px),
                           piece_within(shape->right, w_px), piece_within(shape->bottom, h_px)};
     return true;
-}
-
-bool lim_piece_bounds(struct lim_sorter *sorter, uint16_t entry)
-{
-    return lim_piece_rect(sorter, entry) && find_bounds(sorter, entry, lim_entry_is_cut(sorter, entry));
 }
 
 #endif

@@ -8,19 +8,12 @@
 #define LIM_PIECE_H
 
 #include "orders.h"
-#include "view/plane_unpacked.h"
 
 /* On which sides of a plane something lies: none is "on it". */
 enum { LIM_SIDE_FRONT = 1, LIM_SIDE_BACK = 2, LIM_SIDE_BOTH = 3 };
 
-/* The sides of a plane on which entry `of` has corners. */
-uint8_t lim_piece_sides_of(const struct lim_sorter *sorter, uint16_t of, const struct lim_plane_unpacked *plane);
-
 /* The pixels that a whole entry may have. false: none. */
 bool lim_piece_rect(struct lim_sorter *sorter, uint16_t entry);
-
-/* The same, and how far it reaches, of an entry that is to be compared. false: it has no pixels. */
-bool lim_piece_bounds(struct lim_sorter *sorter, uint16_t entry);
 
 /* The sides of the plane of entry `by` on which entry `of` has corners. What was cut to a side is on that. */
 uint8_t lim_piece_sides(const struct lim_sorter *sorter, uint16_t of, uint16_t by);
@@ -29,8 +22,7 @@ uint8_t lim_piece_sides(const struct lim_sorter *sorter, uint16_t of, uint16_t b
 bool lim_piece_has_room(const struct lim_sorter *sorter);
 
 /* Cuts `entry` in two by the plane of entry `by`; the piece in front of it stays in place. Returns the new entry of the
- * other, in no list yet, or LIM_NONE: there is no room, or it would have too many
- * corners. */
+ * other, in no list yet, or LIM_NONE: there is no room, or it would have too many corners. */
 uint16_t lim_piece_split(struct lim_sorter *sorter, uint16_t entry, uint16_t by);
 
 /* Test 5 or 6, on the screen, rounded to sub-pixels as it is painted: whether `part` of entry `of` overlaps entry `by`.

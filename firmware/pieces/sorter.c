@@ -3,7 +3,7 @@
  * No recursion, and no array beside the links. */
 #include "pieces/sorter.h"
 
-#if LIM_HAS_LISTS
+#if LIM_HAS_SORTED
 
 /* Ends a stretch after at most `length` entries. Returns what follows. */
 static uint16_t cut_after(struct lim_sorted *list, uint16_t at, uint16_t length)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Lists of polygons, of pieces of split ones, and of movers: entries linked by their places, which are lent by the
- * caller. Sorted by merging, longer and longer stretches. */
+ * Lists of polygons and of pieces of split ones: entries linked by their places, which are lent by the caller. Sorted
+ * by merging, longer and longer stretches. */
 #ifndef LIM_SORTER_H
 #define LIM_SORTER_H
 

@@ -6,15 +6,13 @@
 #include "pieces/trace.h"
 
 #include "math/fixed.h"
-#include "pieces/corners.h"
 #include "pieces/entry.h"
 #include "screen/edge.h"
-#include "screen/polygon.h"
 #include "screen/samples.h"
 #include "view/plane_unpacked.h"
 #include "view/view.h"
 
-#if LIM_HAS_PIECES
+#if LIM_HAS_NEWELL
 
 /* w h m . r at the centres of pixels, >= 0 where the plane's front is; all 0, which is all front, if the line is a
  * point.
@@ -38,41 +36,26 @@ struct chord {
     int64_t far_value;
 };
 
-/* A mover's corners are where its view has them; in the scene they have fraction bits. */
-static int64_t corner_value(const struct lim_sorter *sorter, uint16_t entry, lim_index vertex,
-                            const struct lim_plane_unpacked *plane)
-{
-    if (LIM_HAS_MOVERS && lim_entry_owner(sorter, entry) != LIM_NONE) {
-        int32_t at_q12[3];
-        lim_entry_corner(sorter, entry, vertex, at_q12);
-        return lim_corner_value(plane, at_q12);
-    }
-    const struct lim_vertex at = sorter->pass->scene->vertices[vertex];
-    return lim_plane_value(plane, at.x, at.y, at.z, 1);
-}
-
 static void find_chord(struct chord *chord, const struct lim_sorter *sorter, uint16_t entry,
                        const struct lim_plane_unpacked *plane)
 {
-    const struct lim_scene *scene = lim_entry_scene(sorter, entry);
-    const struct lim_view *view = lim_entry_rows(sorter, entry);
+    const struct lim_scene *scene = sorter->pass->scene;
+    const struct lim_view *view = &sorter->pass->view;
     const LIM_FLASH lim_index *record = lim_entry_record(sorter, entry);
     const LIM_FLASH lim_index *corners = record + LIM_POLYGON_HEAD_WORDS;
     const uint_fast8_t n = record[0] & LIM_POLYGON_COUNT;
     int32_t before[3] = {0, 0, 0}, here[3];
     int64_t value_before = 0;
-    const int8_t exponent = LIM_HAS_FAR_MOVERS ? lim_far_exponent(sorter->movers, view, scene, record) : 0;
 
     chord->far_value = 0;
     for (uint_fast8_t i = 0; i < 3; i++) /* an initialiser would be a call of memset() */
         chord->out[i] = chord->back[i] = chord->far[i] = 0;
     for (uint_fast8_t k = 0; k <= n; k++) {
-        const lim_index vertex = corners[k < n ? k : 0];
+        const LIM_FLASH struct lim_vertex *vertex = &scene->vertices[corners[k < n ? k : 0]];
         struct lim_view_point point;
-        lim_view_transform(view, scene, &scene->vertices[vertex], &point);
-        if (LIM_HAS_FAR_MOVERS) lim_far_raise(&point, exponent);
+        lim_view_transform(view, scene, vertex, &point);
         if (LIM_HAS_TELE) lim_view_even(&view->rows, &point);
-        const int64_t value = corner_value(sorter, entry, vertex, plane);
+        const int64_t value = lim_plane_value(plane, vertex->x, vertex->y, vertex->z, 1);
         halve_point(here, &point);
         if (k && value_before >= 0 && value < 0) lim_plane_cross(chord->out, before, value_before, here, value);
         if (k && value_before < 0 && value >= 0) lim_plane_cross(chord->back, here, value, before, value_before);
@@ -310,48 +293,11 @@ static LIM_HOT_INLINE void trace_lines(struct lim_point *last, const struct lim_
     }
 }
 
-/* Whether all that is painted hides what lies behind it. */
-static bool hides_all(const struct lim_screen_polygon *whole)
-{
-    return !LIM_HAS_TRANSPARENT || lim_alpha_of(whole) == LIM_OPAQUE;
-}
-
-/* Whether what of the whole lies on the other side of a cut is drawn nearer, all of it: so it hides what the piece
- * paints there. A node's plane has what is on the eye's side drawn first. */
-static bool is_needless(const struct lim_sorter *sorter, uint16_t entry, const struct lim_cut *cut)
-{
-    const uint16_t by = cut->by & LIM_SORTED_MAX;
-
-    if (!LIM_HAS_MOVERS || LIM_IS_NEWELL(&sorter->pass->target)) return false;
-    if (sorter->list[by].record != LIM_NO_INDEX) return sorter->newell->polygons[entry].farthest;
-    return !(cut->by & LIM_CUT_FRONT) == sorter->newell->polygons[by].eye_in_front;
-}
-
-/* The next of a list of cuts, from `cut` on, that tells the piece from its whole. */
-static uint16_t next_needed(const struct lim_sorter *sorter, uint16_t entry, uint16_t cut, bool hides)
-{
-    const struct lim_newell *newell = sorter->newell;
-
-    while (hides && cut != LIM_NONE && is_needless(sorter, entry, &newell->cuts[cut]))
-        cut = newell->cuts[cut].next;
-    return cut;
-}
-
-bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole)
-{
-    return next_needed(sorter, entry, sorter->newell->polygons[entry].cuts, hides_all(whole)) != LIM_NONE;
-}
-
-bool lim_trace_is_needed_of_opaque(const struct lim_sorter *sorter, uint16_t entry)
-{
-    return next_needed(sorter, entry, sorter->newell->polygons[entry].cuts, true) != LIM_NONE;
-}
-
 static void trace_of(struct trace *trace, const struct lim_sorter *sorter, uint16_t entry, uint16_t cut)
 {
     struct lim_plane_unpacked plane;
 
-    lim_plane_load_for(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX, entry);
+    lim_plane_load(&plane, sorter, sorter->newell->cuts[cut].by & LIM_SORTED_MAX);
     set_trace(trace, sorter, entry, &plane);
 }
 
@@ -422,13 +368,12 @@ static void bound_lines(const struct lim_screen_polygon *whole, const struct tra
 }
 
 /* By the cuts from `cut` on. */
-static void cut_rows(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
-                     uint16_t cut, struct lim_point *last, int16_t top, int16_t bottom)
+static void cut_rows(const struct lim_sorter *sorter, uint16_t entry, uint16_t cut, struct lim_point *last, int16_t top,
+                     int16_t bottom)
 {
     const struct lim_newell *newell = sorter->newell;
-    const bool hides = hides_all(whole);
 
-    while ((cut = next_needed(sorter, entry, cut, hides)) != LIM_NONE) {
+    for (; cut != LIM_NONE; cut = newell->cuts[cut].next) {
         const bool front = newell->cuts[cut].by & LIM_CUT_FRONT;
         struct trace trace;
         struct crossing crossing;
@@ -437,14 +382,14 @@ static void cut_rows(const struct lim_sorter *sorter, uint16_t entry, const stru
             narrow_all(last, &crossing, top, bottom, front);
         else
             search_all(last, &trace, top, bottom, front, sorter->pass->target.w_px);
-        cut = newell->cuts[cut].next;
     }
 }
 
 void lim_trace_cut(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
                    struct lim_point *last, int16_t top, int16_t bottom)
 {
-    cut_rows(sorter, entry, whole, sorter->newell->polygons[entry].cuts, last, top, bottom);
+    (void)whole;
+    cut_rows(sorter, entry, sorter->newell->polygons[entry].cuts, last, top, bottom);
 }
 
 void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
@@ -452,7 +397,7 @@ void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const stru
 {
     const struct lim_target *target = &sorter->pass->target;
     const struct lim_newell *newell = sorter->newell;
-    const uint16_t cut = next_needed(sorter, entry, newell->polygons[entry].cuts, hides_all(whole));
+    const uint16_t cut = newell->polygons[entry].cuts;
     struct trace trace;
     struct crossing crossing;
 
@@ -472,7 +417,7 @@ void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const stru
     } else {
         trace_lines(last, whole, open, *top, *bottom, &crossing, HIGH);
     }
-    cut_rows(sorter, entry, whole, newell->cuts[cut].next, last, *top, *bottom);
+    cut_rows(sorter, entry, newell->cuts[cut].next, last, *top, *bottom);
 }
 
 struct lim_point lim_piece_line(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,

@@ -8,14 +8,9 @@
 
 #include "orders.h"
 
-/* Whether a piece has to be told from its whole: not if all other parts are drawn nearer, and hide theirs. The second:
- * if it is opaque. */
-bool lim_trace_is_needed(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole);
-bool lim_trace_is_needed_of_opaque(const struct lim_sorter *sorter, uint16_t entry);
-
 /* Lines top <= y < bottom, one at least, of a projected polygon that is not non-monotone and has them: what of them is
- * within `open`, and the piece's, or hidden by other parts; but for those above and below that have nothing of it. That
- * of `bottom` - 1 is first. */
+ * within `open` and the piece's; but for those above and below that have nothing of it. That of `bottom` - 1 is first.
+ */
 void lim_trace_lines(const struct lim_sorter *sorter, uint16_t entry, const struct lim_screen_polygon *whole,
                      const struct lim_rect *open, struct lim_point *last, int16_t *top, int16_t *bottom);
 

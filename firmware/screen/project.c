@@ -108,7 +108,7 @@ static inline bool project_set_look(struct lim_screen_polygon *out, const struct
 {
     if (LIM_HAS_STATS && stats) stats->non_monotone += out->shape.non_monotone;
     if (!meets_lines(&out->shape, open)) return false;
-    if (LIM_HAS_PIECES || lim_project_is_narrow(view, open)) { /* or they are compared */
+    if (LIM_HAS_NEWELL || lim_project_is_narrow(view, open)) { /* or they are compared */
         shape_sides(&out->shape, out->at, out->n, lim_is_polygon_antialiased(out));
         if (!lim_shape_meets_sides(&out->shape, open)) return false;
     }

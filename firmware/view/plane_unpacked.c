@@ -3,6 +3,22 @@
  * |n| < 2^31 and |d| < 2^48: with a corner in Q12 each of three products stays below 2^58 + 2^27, and d below 2^60. */
 #include "view/plane_unpacked.h"
 
+void lim_corner_load(int32_t at[3], const struct lim_scene *scene, lim_index vertex)
+{
+    const struct lim_vertex corner = scene->vertices[vertex];
+
+    at[0] = corner.x;
+    at[1] = corner.y;
+    at[2] = corner.z;
+#if LIM_HAS_FRACTIONS
+    struct lim_fraction rest = {0, 0, 0};
+    if (scene->fractions) rest = scene->fractions[vertex];
+    at[0] = at[0] * 256 + rest.x_q8;
+    at[1] = at[1] * 256 + rest.y_q8;
+    at[2] = at[2] * 256 + rest.z_q8;
+#endif
+}
+
 static void load_slanted(struct lim_plane_unpacked *plane, const struct lim_scene *scene,
                          const LIM_FLASH struct lim_plane *packed)
 {

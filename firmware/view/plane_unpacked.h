@@ -32,6 +32,12 @@ static inline int64_t lim_corner_value(const struct lim_plane_unpacked *plane, c
     return lim_plane_value(plane, at_q12[0], at_q12[1], at_q12[2], LIM_CORNER_ONE_Q12);
 }
 
+/* A vertex, with LIM_HAS_FRACTIONS in 1/256 units; of a scene that is not long. */
+void lim_corner_load(int32_t at[3], const struct lim_scene *scene, lim_index vertex);
+
+/* What one of these is in Q12. */
+#define LIM_CORNER_LOADED_Q12 (LIM_HAS_FRACTIONS ? 16 : (int32_t)LIM_CORNER_ONE_Q12)
+
 /* How far along from a value to one of the other sign 0 is. */
 uint32_t lim_plane_zero_q31(int64_t from, int64_t to);
 

@@ -122,7 +122,7 @@ void lim_view_remember(struct lim_view *view, const struct lim_scene *scene, lim
     if (LIM_HAS_STATS) view->vertices++;
 }
 
-#if LIM_VIEWS_ALL
+#if LIM_VIEWS_ALL || LIM_HAS_MOVERS
 
 /* One end of a box along an axis; a half of 32768 reaches a unit too far. */
 static int16_t box_end(const LIM_FLASH struct lim_box *box, uint_fast8_t axis, bool upper)
@@ -136,6 +136,29 @@ static int16_t box_end(const LIM_FLASH struct lim_box *box, uint_fast8_t axis, b
 static struct lim_vertex box_corner(const LIM_FLASH struct lim_box *box, uint_fast8_t k)
 {
     return (struct lim_vertex){box_end(box, 0, k & 1), box_end(box, 1, k & 2), box_end(box, 2, k & 4)};
+}
+
+bool lim_view_box_rect(const struct lim_view *view, const LIM_FLASH struct lim_box *box, struct lim_rect *rect)
+{
+    int32_t left = INT32_MAX, right = INT32_MIN, top = INT32_MAX, bottom = INT32_MIN;
+
+    for (uint_fast8_t k = 0; k < 8; k++) {
+        const struct lim_vertex corner = box_corner(box, k);
+        struct lim_view_point point;
+        struct lim_point at;
+        transform_units(view, &corner, &point);
+        if (codes_of(view, &point) & LIM_VIEW_GUARD) return false;
+        project(view, &point, &at);
+        if (at.x < left) left = at.x;
+        if (at.x > right) right = at.x;
+        if (at.y < top) top = at.y;
+        if (at.y > bottom) bottom = at.y;
+    }
+    rect->x0 = lim_view_pixel_within(left, -1, view->width.px);
+    rect->x1 = lim_view_pixel_within(right, 2, view->width.px);
+    rect->y0 = lim_view_pixel_within(top, -1, view->height.px);
+    rect->y1 = lim_view_pixel_within(bottom, 2, view->height.px);
+    return true;
 }
 
 /* Where the corners of the box that holds a part lie. */
@@ -168,37 +191,6 @@ static struct box_view box_seen(const struct lim_view *view, const LIM_FLASH str
         if (point.z_qv < seen.least_z_qv) seen.least_z_qv = point.z_qv;
     }
     return seen;
-}
-
-/* A coordinate's pixel, up to the next border; a pixel more on each side covers whatever rounding does. */
-static inline uint16_t pixel_within(int32_t at, int32_t more, int32_t side_px)
-{
-    const int32_t px = (at >> LIM_SUB_BITS) + LIM_ORIGIN_PX + more;
-
-    return (uint16_t)(px < 0 ? 0 : px > side_px ? side_px : px);
-}
-
-bool lim_view_box_rect(const struct lim_view *view, const LIM_FLASH struct lim_box *box, struct lim_rect *rect)
-{
-    int32_t left = INT32_MAX, right = INT32_MIN, top = INT32_MAX, bottom = INT32_MIN;
-
-    for (uint_fast8_t k = 0; k < 8; k++) {
-        const struct lim_vertex corner = box_corner(box, k);
-        struct lim_view_point point;
-        struct lim_point at;
-        transform_units(view, &corner, &point);
-        if (codes_of(view, &point) & LIM_VIEW_GUARD) return false;
-        project(view, &point, &at);
-        if (at.x < left) left = at.x;
-        if (at.x > right) right = at.x;
-        if (at.y < top) top = at.y;
-        if (at.y > bottom) bottom = at.y;
-    }
-    rect->x0 = pixel_within(left, -1, view->width.px);
-    rect->x1 = pixel_within(right, 2, view->width.px);
-    rect->y0 = pixel_within(top, -1, view->height.px);
-    rect->y1 = pixel_within(bottom, 2, view->height.px);
-    return true;
 }
 
 /* What the nearest vertex has; rounding may bring one a little nearer than the box. */

@@ -170,6 +170,14 @@ enum lim_view_extent lim_view_all(struct lim_view *view, const struct lim_scene 
  * or reaches far beyond the screen. */
 bool lim_view_box_rect(const struct lim_view *view, const LIM_FLASH struct lim_box *box, struct lim_rect *rect);
 
+/* A coordinate's pixel, up to the next border; a pixel more on each side covers whatever rounding does. */
+static inline uint16_t lim_view_pixel_within(int32_t at, int32_t more, int32_t side_px)
+{
+    const int32_t px = (at >> LIM_SUB_BITS) + LIM_ORIGIN_PX + more;
+
+    return (uint16_t)(px < 0 ? 0 : px > side_px ? side_px : px);
+}
+
 /* Nearness anew, finer by the bits that what is seen does not use: `seen` is that of all that is, OR'ed. The eye may be
  * as near as the near plane to some vertex, and what is seen seldom is. What is nearer, or has none, keeps what it has.
  */

@@ -145,21 +145,13 @@ static const struct column NEWELL_COLUMNS[] = {
     }
 MOVER_VALUE(left_out)
 MOVER_VALUE(hidden)
-MOVER_VALUE(divided)
-MOVER_VALUE(pieces)
-MOVER_VALUE(entries)
-MOVER_VALUE(unsorted)
-
-/* Wherever there was no room. */
-static double mover_forced(const struct frame_row *row)
-{
-    return row->stats.movers.forced + (double)row->stats.newell.forced;
-}
+MOVER_VALUE(crowded)
+MOVER_VALUE(comparisons)
+MOVER_VALUE(cuts)
 
 static const struct column MOVER_COLUMNS[] = {
-    {"left_out", 8, 0, mover_left_out}, {"hidden", 7, 0, mover_hidden},         {"divided", 7, 0, mover_divided},
-    {"pieces", 7, 0, mover_pieces},     {"compared", 9, 0, newell_comparisons}, {"splits", 7, 0, newell_splits},
-    {"entries", 7, 0, mover_entries},   {"forced", 7, 0, mover_forced},         {"unsorted", 8, 0, mover_unsorted},
+    {"left_out", 8, 0, mover_left_out},    {"hidden", 7, 0, mover_hidden}, {"crowded", 7, 0, mover_crowded},
+    {"compared", 9, 0, mover_comparisons}, {"cuts", 7, 0, mover_cuts},
 };
 
 static const struct column COMPARE_COLUMNS[] = {

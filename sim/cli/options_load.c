@@ -55,7 +55,7 @@ static bool load_scene(const struct options *options, struct compiled *scene, st
 void options_note_stopped(const struct options *options, const struct moving *moving)
 {
     if (moving->stopped)
-        notice("%s: objects stand still; methods nearest, painter and bsp move them", options->scene_path);
+        notice("%s: objects stand still; methods nearest, scanline and bsp move them", options->scene_path);
 }
 
 /* Who hands over no *moving has taken no options of movers. */

@@ -188,8 +188,7 @@ static const struct usage_entry ENTRIES[] = {
      "                      beside those that are sampled: such frames take no second walk\n"},
     {0, "compile and render, of models with animations (measure and compare draw all of the animation):\n"},
     {COMPILE | EXPORT | RENDER | REPORT_BUG,
-     "  --movers NAME       how what moves enters the scene: clipped down its tree, centre (faster, and wrong\n"
-     "                      where it reaches through planes), off: it stays where the file has it (clipped)\n"},
+     "  --movers WHEN       on, or off: what is animated stays where the file has it (on)\n"},
     {COMPILE | EXPORT | RENDER | REPORT_BUG,
      "  --mover-light NAME  baked into its colours where the file has it, or turning: lit in each frame (baked)\n"},
     {0, "compile only:\n"},

@@ -29,13 +29,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FINER_BITS_MAX = 2, LONG_FINER_BITS_MAX = 8, COARSER_BITS_MAX = 14, ENTRIES_A_POLYGON = 4, ENTRIES_SPARE = 256 };
+enum { FINER_BITS_MAX = 2, LONG_FINER_BITS_MAX = 8, COARSER_BITS_MAX = 14 };
 static const double GRID_END = 32767.0, AT_END_Q8 = 16777216.0, ORIGIN_END = 1073741823.0;
 
 bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *err)
 {
-    static const char *const names[] = {
-        [MOVING_CLIPPED] = "clipped", [MOVING_BY_CENTRE] = "centre", [MOVING_OFF] = "off", NULL};
+    static const char *const names[] = {[MOVING_ON] = "on", [MOVING_OFF] = "off", NULL};
     size_t index;
     if (!choice_find(&(struct choice){"--movers", "way", choice_in_array, names}, text, &index, err)) return false;
     *out = (enum moving_mode)index;
@@ -144,7 +143,7 @@ static bool is_open(const struct compile_options *options)
 }
 
 static bool compile_object(struct moving *moving, size_t index, const struct grid *scene_grid,
-                           const struct compile_options *options, enum moving_mode mode, struct error *err)
+                           const struct compile_options *options, struct error *err)
 {
     struct moving_object *object = &moving->objects[index];
     struct lim_instance *instance = &moving->instances[index];
@@ -176,7 +175,6 @@ static bool compile_object(struct moving *moving, size_t index, const struct gri
     }
     ok = ok && motion_set(&moving->model, index, scene_grid, object, err);
     instance->object = &object->scene.scene;
-    instance->by_centre = mode == MOVING_BY_CENTRE;
     model_free(&part);
     free(numbers);
     return ok;
@@ -226,30 +224,16 @@ static void note_numbers(const struct moving *moving, struct compiled *scene)
                  "too many textured polygons: where all that moves is in view, some of it shows colours");
 }
 
-/* Trees with leaves order such objects piece by piece. */
-static void note_crowd(struct moving *moving, const struct compiled *scene)
-{
-    if (moving->crowded > 0)
-        model_note(&moving->model,
-                   "objects that move pass through each other in a crowd: in %.2g %% of sampled views some of them may "
-                   "be wrong, with holes; %s helps",
-                   100 * moving->crowded, scene->grid.is_long ? "--movers off" : "--tree clusters");
-}
-
 static void limits_set(struct moving *moving)
 {
-    size_t polygons = 0;
     struct lim_movers_limits *limits = &moving->limits;
     *limits = (struct lim_movers_limits){.instances = (uint16_t)moving->count};
     for (size_t i = 0; i < moving->count; i++) {
         const struct lim_scene *object = &moving->objects[i].scene.scene;
-        polygons += object->polygon_count;
         if (object->limits.depth > limits->depth) limits->depth = object->limits.depth;
         if (object->limits.leaf_vertices > limits->leaf_vertices) limits->leaf_vertices = object->limits.leaf_vertices;
         if (object->limits.leaf_polygons > limits->leaf_polygons) limits->leaf_polygons = object->limits.leaf_polygons;
     }
-    const size_t entries = moving->count + polygons * ENTRIES_A_POLYGON + ENTRIES_SPARE;
-    limits->entries = (uint16_t)(entries < LIM_SORTED_MAX ? entries : LIM_SORTED_MAX);
 }
 
 /* Face numbers of all parts together have 16 bits where something moves. */
@@ -289,8 +273,8 @@ static bool may_move(const struct compiled *scene, enum tree_kind tree, struct e
                      tree_names[tree]);
 }
 
-static bool compile_parts(struct moving *moving, const struct compile_options *options, enum moving_mode mode,
-                          struct compiled *scene, struct error *err)
+static bool compile_parts(struct moving *moving, const struct compile_options *options, struct compiled *scene,
+                          struct error *err)
 {
     struct compile_options own = *options;
     struct model part;
@@ -307,10 +291,11 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     if (!ok) return false;
     moving->grid = scene->grid;
     moving->count = moving->model.mover_count;
+    scene->report.moves = true;
     moving->objects = grow_zeroed(moving->count, sizeof *moving->objects);
     moving->instances = grow_zeroed(moving->count, sizeof *moving->instances);
     for (size_t i = 0; ok && i < moving->count; i++) {
-        ok = compile_object(moving, i, &scene->grid, options, mode, err);
+        ok = compile_object(moving, i, &scene->grid, options, err);
         if (ok) note_left_out(&moving->objects[i], &scene->report);
     }
     if (!ok) return false;
@@ -320,10 +305,8 @@ static bool compile_parts(struct moving *moving, const struct compile_options *o
     if (is_textured) note_numbers(moving, scene);
     limits_set(moving);
     if (!method_can_move(own.method->draws)) return true; /* refused where they are to be drawn */
-    if (!pools_measure_moving(scene, moving, options->core, err)) return false;
-    note_crowd(moving, scene);
-    return (order_choose_moving(scene, moving, options, err) &&
-            (!options->predict || predict_parts(moving, options->core, scene, err)));
+    return order_choose_moving(scene, moving, options, err) &&
+           (!options->predict || predict_parts(moving, options->core, scene, err));
 }
 
 static void stop_movers(struct moving *moving)
@@ -371,7 +354,7 @@ bool moving_compile_model(const struct model *model, const struct compile_option
     const struct compile_options own = order_options_for(options, &moving->model);
     if (!moving->model.mover_count) return compile_part(&moving->model, NULL, &own, scene, err);
     if (own.framebuffer) return error_set(err, "--framebuffer: objects that move are drawn line by line");
-    return compile_parts(moving, &own, movers->mode, scene, err);
+    return compile_parts(moving, &own, scene, err);
 }
 
 bool moving_compile_own(const char *path, const struct compile_options *options, enum moving_mode mode,

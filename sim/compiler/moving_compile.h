@@ -7,8 +7,8 @@
 #include "compiler/compile.h"
 #include "scene/moving.h"
 
-/* How movers enter the walk: --movers. MOVING_OFF: they stay where the file has them, a part of the scene. */
-enum moving_mode { MOVING_CLIPPED, MOVING_BY_CENTRE, MOVING_OFF };
+/* --movers. MOVING_OFF: they stay where the file has them, a part of the scene. */
+enum moving_mode { MOVING_ON, MOVING_OFF };
 
 bool moving_mode_parse(const char *text, enum moving_mode *out, struct error *err);
 

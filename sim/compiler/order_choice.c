@@ -72,12 +72,10 @@ bool order_choose(struct compiled *scene, const struct compile_options *options,
     return true;
 }
 
-/* What objects cost on their way down the tree, they cost by either. */
+/* What comparing objects costs, it costs by either. */
 bool order_choose_moving(struct compiled *scene, struct moving *moving, const struct compile_options *options,
                          struct error *err)
 {
-    const uint16_t entries = moving->limits.entries;
-
     if (!pools_measure_moving(scene, moving, options->core, err)) return false;
     const double nearest = scene->report.instructions;
     scene->report.instructions = NAN; /* what moves costs, too */
@@ -85,5 +83,5 @@ bool order_choose_moving(struct compiled *scene, struct moving *moving, const st
     if (isnan(nearest) || order_needs_nearest(options, &scene->scene)) return true;
     for (size_t i = 0; i < moving->count; i++)
         if (order_needs_nearest(options, &moving->objects[i].scene.scene)) return true;
-    return pools_scan_moving(scene, moving, options->core, entries, ENOUGH * nearest, err);
+    return pools_scan_moving(scene, moving, options->core, ENOUGH * nearest, err);
 }

@@ -48,8 +48,7 @@ struct usage {
     double instructions_most;           /* beyond that no more frames are drawn; 0: whatever it takes */
     uint64_t reached, seen;             /* polygons that face the eye, and those of which something shows */
     uint32_t splits;                    /* of all frames */
-    size_t forced;                      /* frames in which what moves is put in order without being sure */
-    uint32_t splits_max, entries_max;   /* strays included: without room for a piece the picture may be wrong */
+    uint32_t splits_max;                /* strays included: without room for a piece the picture may be wrong */
     struct pool_search_result searched; /* what options.worst asks for; else nothing was tried */
 };
 
@@ -99,8 +98,6 @@ static void note(struct usage *usage, const struct simulator *simulator)
     if (stats->newell.splits > usage->splits_max) usage->splits_max = stats->newell.splits;
     usage->layers[i] = stats->layers_max;
     usage->leaf_polygons[i] = within(stats->leaf_polygons_max);
-    usage->forced += stats->movers.forced > 0;
-    if (stats->movers.entries > usage->entries_max) usage->entries_max = stats->movers.entries;
 }
 
 static bool is_too_much(const struct usage *usage)
@@ -109,9 +106,9 @@ static bool is_too_much(const struct usage *usage)
 }
 
 /* The camera to go on with: this one, or the first portrait, or none. */
-static int after_enough(const struct usage *usage, const struct moving *moving, int i)
+static int after_enough(const struct usage *usage, int i)
 {
-    if (moving || usage->splits < ENOUGH_SPLITS) return i;
+    if (usage->splits < ENOUGH_SPLITS) return i;
     if (i < SAMPLED) return i < FEW ? i : SAMPLED;
     return i < SAMPLED + FEW ? i : CAMERAS;
 }
@@ -187,7 +184,7 @@ static bool sample_frames(const struct compiled *scene, struct moving *moving, s
         return false;
     for (int i = 0; i < cameras && !is_too_much(usage) && !ends_early(usage, cameras); i++) {
         struct lim_camera camera;
-        if (is_sampled) i = after_enough(usage, moving, i);
+        if (is_sampled) i = after_enough(usage, i);
         if (i == CAMERAS) break;
         progress_bar((size_t)i, (size_t)cameras, "%scameras", is_sampled ? "sampled " : "");
         if (!is_sampled && !own_camera(scene, i, &lens, &camera, err)) return false;
@@ -205,7 +202,8 @@ enum style { STYLE_PLAIN, STYLE_WIREFRAME, STYLE_ANTIALIAS };
 
 static bool set_memory(struct usage *usage, const struct simulator *simulator, bool antialias)
 {
-    usage->memory = counted_memory_of(simulator->core, simulator->scene, &simulator->target, antialias);
+    usage->memory = counted_memory_of(simulator->core, simulator->scene, &simulator->target, antialias,
+                                      simulator->instance_count > 0);
     usage->closes_none = simulator->target.method == LIM_SCANLINE && !antialias && !simulator->scene->limits.layers;
     return true;
 }
@@ -319,23 +317,11 @@ static void raise_shared(struct usage *usage, bool moves, struct lim_limits *lim
     limits->retained_cells = greater(limits->retained_cells, greater(within(cells), needs_least_cells(limits)));
 }
 
-/* Beside what was used, for the object with the most polygons to be taken by those that face the eye: few views have
- * to, and perhaps none that was sampled. */
-static uint16_t entries_for(const struct usage *usage, const struct moving *moving)
-{
-    uint32_t most_polygons = 0;
-    for (size_t i = 0; i < moving->count; i++) {
-        const uint32_t polygons = moving->objects[i].scene.scene.polygon_count;
-        if (polygons > most_polygons) most_polygons = polygons;
-    }
-    return greater(within(pieces_for(usage) + most_polygons / 2), moving->limits.instances);
-}
-
 /* Raises the limits to what the orders with spans used. */
-static void raise_limits(struct compiled *roomy, struct moving *moving, struct usage *usage, struct lim_limits *limits)
+static void raise_limits(struct compiled *roomy, bool moves, struct usage *usage, struct lim_limits *limits)
 {
     if (usage->memory.counted.cell_b)
-        raise_shared(usage, moving, limits);
+        raise_shared(usage, moves, limits);
     else
         raise_one_by_one(usage, limits);
     limits->pieces = greater(limits->pieces, pieces_for(usage));
@@ -346,10 +332,6 @@ static void raise_limits(struct compiled *roomy, struct moving *moving, struct u
     if (roomy->scene.limits.leaf_polygons)
         limits->leaf_polygons =
             greater(limits->leaf_polygons, with_margin(most(usage, usage->leaf_polygons), LEAST_LEAF));
-    if (moving) usage->splits_max = usage->entries_max;
-    if (moving && usage->cameras) moving->crowded = (double)usage->forced / (double)usage->cameras;
-    if (moving && entries_for(usage, moving) < moving->limits.entries)
-        moving->limits.entries = entries_for(usage, moving);
 }
 
 static bool sample_spans(struct compiled *roomy, struct moving *moving, const struct simulator_setup *setup,
@@ -357,9 +339,9 @@ static bool sample_spans(struct compiled *roomy, struct moving *moving, const st
 {
     struct usage usage = {0};
     if (!sample_method(roomy, moving, setup, style, &usage, err)) return false;
-    raise_limits(roomy, moving, &usage, limits);
+    raise_limits(roomy, moving != NULL, &usage, limits);
     if (style == STYLE_PLAIN) pool_search_report(&usage.searched, &roomy->grid, &roomy->report.worst);
-    if (style == STYLE_PLAIN && !moving && usage.splits >= ENOUGH_SPLITS) roomy->report.few_cameras = usage.cameras;
+    if (style == STYLE_PLAIN && usage.splits >= ENOUGH_SPLITS) roomy->report.few_cameras = usage.cameras;
     if (style == STYLE_PLAIN && usage.seen) roomy->report.reached_a_seen = (double)usage.reached / (double)usage.seen;
     if (style == STYLE_PLAIN && usage.cameras && frame_cost_knows(setup->method) && frame_cost_is_known(&roomy->scene))
         roomy->report.instructions = usage.instructions / (double)usage.cameras;
@@ -389,6 +371,17 @@ static struct compiled roomy_of_moving(const struct compiled *scene, const struc
     return roomy;
 }
 
+/* For one polygon, and what is told of it: before it, and once more behind, of the next one. */
+static uint16_t least_cells_moving(const struct compiled *scene, const struct moving *moving)
+{
+    const size_t told = MCU_TOLD_CELLS + (moving->count + 15) / 16;
+    uint16_t least = needs_least_cells(&scene->scene.limits);
+
+    for (size_t i = 0; i < moving->count; i++)
+        least = greater(least, needs_least_cells(&moving->objects[i].scene.scene.limits));
+    return (uint16_t)(least + 2 * told);
+}
+
 bool pools_measure_moving(struct compiled *scene, struct moving *moving, const struct core *core, struct error *err)
 {
     struct lim_limits limits = scene->scene.limits;
@@ -396,9 +389,7 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
     const enum lim_method method = scene->report.draws == LIM_SCANLINE ? LIM_SCANLINE : LIM_NEAREST_FIRST;
     const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, method, SIMULATOR_UNSEEN, core};
 
-    for (size_t i = 0; i < moving->count; i++)
-        limits.retained_cells =
-            greater(limits.retained_cells, needs_least_cells(&moving->objects[i].scene.scene.limits));
+    limits.retained_cells = greater(limits.retained_cells, least_cells_moving(scene, moving));
     if (!sample_spans(&roomy, moving, &setup, STYLE_PLAIN, &limits, err) ||
         (scene->report.wireframe && !sample_spans(&roomy, moving, &setup, STYLE_WIREFRAME, &limits, err)) ||
         (scene->report.antialias && !sample_spans(&roomy, moving, &setup, STYLE_ANTIALIAS, &limits, err)))
@@ -410,22 +401,17 @@ bool pools_measure_moving(struct compiled *scene, struct moving *moving, const s
     return true;
 }
 
-bool pools_scan_moving(struct compiled *scene, struct moving *moving, const struct core *core, uint16_t entries,
-                       double instructions_most, struct error *err)
+bool pools_scan_moving(struct compiled *scene, struct moving *moving, const struct core *core, double instructions_most,
+                       struct error *err)
 {
-    const uint16_t nearest_entries = moving->limits.entries;
     struct lim_limits limits = scene->scene.limits;
     struct compiled roomy = roomy_of_moving(scene, moving);
     const struct simulator_setup setup = {scene->report.w_px, scene->report.h_px, LIM_SCANLINE, SIMULATOR_UNSEEN, core};
     struct usage usage = {.instructions_most = instructions_most * camera_count(scene)};
 
-    moving->limits.entries = entries;
     if (!sample_method(&roomy, moving, &setup, STYLE_PLAIN, &usage, err)) return false;
-    if (deadline_passed() || !(usage.instructions <= instructions_most * (double)usage.cameras)) {
-        moving->limits.entries = nearest_entries;
-        return true;
-    }
-    raise_limits(&roomy, moving, &usage, &limits);
+    if (deadline_passed() || !(usage.instructions <= instructions_most * (double)usage.cameras)) return true;
+    raise_limits(&roomy, true, &usage, &limits);
     lim_image_set_limits(scene, &limits);
     scene->report.draws = LIM_SCANLINE;
     return true;
@@ -489,7 +475,7 @@ bool pools_measure_scanline(struct compiled *scene, const struct core *core, dou
     const double instructions = usage.instructions / (double)usage.cameras;
     if (instructions_most > 0.0 && deadline_passed()) return true; /* of other cameras than those before */
     if (instructions_most > 0.0 && !(instructions <= instructions_most)) return true;
-    raise_limits(&roomy, NULL, &usage, &limits);
+    raise_limits(&roomy, false, &usage, &limits);
     pool_search_report(&usage.searched, &scene->grid, &scene->report.worst);
     if (scene->report.antialias) limits.gaps = 1; /* nearest first left more */
     if (scene->report.antialias && !sample_spans(&roomy, NULL, &setup, STYLE_ANTIALIAS, &limits, err)) return false;

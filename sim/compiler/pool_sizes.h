@@ -17,13 +17,13 @@ bool pools_measure(struct compiled *scene, const struct core *core, unsigned w_p
 bool pools_measure_scanline(struct compiled *scene, const struct core *core, double instructions_most,
                             struct error *err);
 
-/* The same for a scene that has its limits already, with all that moves in it; sets moving->limits.entries too. */
+/* The same for a scene that has its limits already, with all that moves in it. */
 struct moving;
 bool pools_measure_moving(struct compiled *scene, struct moving *moving, const struct core *core, struct error *err);
 
 /* Of a scene for which they are measured: raises its limits to what scan lines take as well, and draws it so, unless
- * these are predicted to cost more. `entries` is plenty. */
-bool pools_scan_moving(struct compiled *scene, struct moving *moving, const struct core *core, uint16_t entries,
-                       double instructions_most, struct error *err);
+ * these are predicted to cost more. */
+bool pools_scan_moving(struct compiled *scene, struct moving *moving, const struct core *core, double instructions_most,
+                       struct error *err);
 
 #endif

@@ -25,8 +25,8 @@ static const char *const SETTLED[] = {"LIM_HAS_",     "LIM_PROFILE", "LIM_SUB_BI
 static const char *const FOLDERS[] = {"firmware/", "hal/", "boards/common/", NULL};
 
 /* In which order its rooms are joined, the lowest first; then what knows them all. */
-static const char *const ROOMS[] = {"math/",   "view/",   "touch/",  "screen/", "pixels/", "lines/",
-                                    "movers/", "pieces/", "routes/", "orders/", ""};
+static const char *const ROOMS[] = {"math/",  "view/",   "touch/",  "screen/", "pixels/",
+                                    "lines/", "movers/", "pieces/", "orders/", ""};
 static const char TREE_ROOM[] = "touch/"; /* of scenes with a tree */
 
 /* An estimate, on the safe side of what is told: the smallest renderer with a driver. */

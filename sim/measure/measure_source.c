@@ -97,8 +97,8 @@ static bool compile_still(struct measure_source *source, const struct compile_op
 {
     struct compile_options exact = *options;
     exact.core = &core_exact;
-    return moving_compile_own(source->path, options, MOVING_CLIPPED, &source->still, err) ||
-           (!deadline_passed() && moving_compile_own(source->path, &exact, MOVING_CLIPPED, &source->still, err));
+    return moving_compile_own(source->path, options, MOVING_ON, &source->still, err) ||
+           (!deadline_passed() && moving_compile_own(source->path, &exact, MOVING_ON, &source->still, err));
 }
 
 bool measure_source_read(struct measure_source *source, const char *model_path, const struct compile_options *options,
@@ -183,7 +183,7 @@ bool measure_source_compile(const struct measure_source *source, const struct co
                             struct compiled *scene, struct error *err)
 {
     if (!source->still.moving) return decision_make(&source->mesh, &source->fine, options, scene, err);
-    return moving_compile_own(source->path, options, MOVING_CLIPPED, scene, err);
+    return moving_compile_own(source->path, options, MOVING_ON, scene, err);
 }
 
 /* What moves is named with the model's path in front, which whoever asks for a scene knows. */

@@ -7,7 +7,7 @@
 #include "scene/width.h"
 
 struct counted_memory counted_memory_of(const struct core *core, const struct lim_scene *scene,
-                                        const struct lim_target *target, bool antialias)
+                                        const struct lim_target *target, bool antialias, bool moves)
 {
     const struct lim_limits *limits = &scene->limits;
     const bool is_wide = target->w_px > core->narrow_px || target->h_px > core->narrow_px;
@@ -15,7 +15,7 @@ struct counted_memory counted_memory_of(const struct core *core, const struct li
     const size_t gap_b = MCU_GAP_B + (antialias ? (size_t)MCU_GAP_SAMPLES_B : 0);
     const size_t cached_b = is_wide ? MCU_CACHED_WIDE_B : MCU_CACHED_B;
     const size_t index_b = width_is_wide(scene) ? (size_t)MCU_INDEX_B : 0;
-    const size_t active_b = mcu_active_b(core, scene->texture_count > 0, antialias);
+    const size_t active_b = mcu_active_b(core, scene, antialias, moves);
     const size_t least_cells = needs_least_cells(limits);
     const size_t cells = limits->retained_cells > least_cells ? limits->retained_cells : least_cells;
     const size_t gaps = target->method != LIM_SCANLINE || limits->layers || antialias ? limits->gaps : 1;

@@ -16,7 +16,7 @@ struct counted_memory {
 
 /* Of a method that draws nearest first or by scan lines from a tree; of others all is 0. */
 struct counted_memory counted_memory_of(const struct core *core, const struct lim_scene *scene,
-                                        const struct lim_target *target, bool antialias);
+                                        const struct lim_target *target, bool antialias, bool moves);
 
 /* Limits for a memory in which each of the three has room for itself. */
 struct lim_limits counted_memory_limits(const struct counted_memory *memory, const struct lim_scene *scene,

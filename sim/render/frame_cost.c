@@ -137,11 +137,12 @@ double frame_cost_m0plus(const struct lim_stats *stats, const struct lim_target 
  */
 double frame_cost_work(const struct lim_stats *stats, const struct lim_target *target)
 {
-    static const double division = 260.0, texel = 12.0, comparison = 60.0, split = 2000.0, mover_piece = 2500.0;
+    static const double division = 260.0, texel = 12.0, comparison = 60.0, split = 2000.0, line_comparison = 150.0;
     const double texels = stats->divisions ? stats->pixels_painted : 0.0;
 
     return frame_cost_m0plus(stats, target) + division * stats->divisions + texel * texels +
-           comparison * stats->newell.comparisons + split * stats->newell.splits + mover_piece * stats->movers.pieces;
+           comparison * stats->newell.comparisons + split * stats->newell.splits +
+           line_comparison * stats->movers.comparisons;
 }
 
 static double cost_of_textures(const struct lim_stats *stats, const struct lim_target *target)

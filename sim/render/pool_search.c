@@ -47,7 +47,7 @@ static double memory_of(const struct looking *looking, uint32_t shared_b)
 
     if (looking->memory.counted.cell_b) return shared_b;
     return stats->retained_cells_max * (double)MCU_CELL_B + stats->gaps_max * (double)MCU_GAP_B +
-           stats->active_max * (double)mcu_active_b(simulator->core, false, false);
+           stats->active_max * (double)mcu_active_b(simulator->core, simulator->scene, false, looking->moving != NULL);
 }
 
 static bool measure(void *ctx, const struct viewpoint *viewpoint, double *scores, struct error *err)
@@ -74,12 +74,13 @@ static bool measure(void *ctx, const struct viewpoint *viewpoint, double *scores
 bool pool_search_run(const struct compiled *scene, struct moving *moving, struct simulator *simulator,
                      const struct lens *lens, size_t tries, struct pool_search_result *out, struct error *err)
 {
-    struct looking looking = {.scene = scene,
-                              .moving = moving,
-                              .simulator = simulator,
-                              .lens = lens,
-                              .memory = counted_memory_of(simulator->core, &scene->scene, &simulator->target, false),
-                              .out = out};
+    struct looking looking = {
+        .scene = scene,
+        .moving = moving,
+        .simulator = simulator,
+        .lens = lens,
+        .memory = counted_memory_of(simulator->core, &scene->scene, &simulator->target, false, moving != NULL),
+        .out = out};
     const struct camera_search search = {.scene = scene,
                                          .lens = *lens,
                                          .length_s = moving ? moving_length_s(moving) : 0.0,

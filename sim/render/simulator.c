@@ -113,9 +113,10 @@ static bool board_init(struct simulator *simulator, const struct simulator_setup
 /* Renderer ----------------------------------------------------------------------------------- */
 
 /* Pools run out where they do on a board. */
-static void count(struct simulator *simulator, bool antialias)
+static void count_pools(struct simulator *simulator)
 {
-    struct counted_memory memory = counted_memory_of(simulator->core, simulator->scene, &simulator->target, antialias);
+    struct counted_memory memory = counted_memory_of(simulator->core, simulator->scene, &simulator->target,
+                                                     simulator->antialias, simulator->instance_count > 0);
     const double more_b = (double)(memory.all_b - memory.least_b) * simulator->part;
     if (!memory.counted.cell_b || simulator->mem_b < simulator->core->mem_b(simulator->roomy, &simulator->target))
         return;
@@ -123,15 +124,27 @@ static void count(struct simulator *simulator, bool antialias)
     simulator->core->count_as(simulator->lim, &memory.counted, memory.least_b + (size_t)more_b);
 }
 
+/* Where something moves there are fewer polygons that cross a line, and more bytes of them. */
+static struct lim_limits roomy_limits(const struct simulator *simulator, const struct lim_scene *scene)
+{
+    const struct lim_target *target = &simulator->target;
+    const struct counted_memory still = counted_memory_of(simulator->core, scene, target, true, false);
+    const struct counted_memory moving = counted_memory_of(simulator->core, scene, target, true, true);
+    struct lim_limits limits = counted_memory_limits(&moving, scene, target);
+    const uint16_t active = counted_memory_limits(&still, scene, target).active;
+
+    if (active > limits.active) limits.active = active;
+    return limits;
+}
+
 static bool make_roomy(struct simulator *simulator, const struct lim_scene *scene)
 {
-    const struct counted_memory memory = counted_memory_of(simulator->core, scene, &simulator->target, true);
     simulator->scene = scene;
     simulator->part = 1.0;
     simulator->roomy = malloc(sizeof *simulator->roomy);
     if (!simulator->roomy) return false;
     *simulator->roomy = *scene;
-    simulator->roomy->limits = counted_memory_limits(&memory, scene, &simulator->target);
+    simulator->roomy->limits = roomy_limits(simulator, scene);
     return true;
 }
 
@@ -147,7 +160,7 @@ static bool renderer_init(struct simulator *simulator, const struct lim_scene *s
     if (!simulator->pixels || !simulator->mem || !simulator->lim) return error_set(err, "simulator: out of memory");
     int code = core->init(simulator->lim, simulator->roomy, &simulator->target, simulator->mem, simulator->mem_b);
     if (code) return error_set(err, "renderer: %s (%d)", code_words(code), code);
-    count(simulator, false);
+    count_pools(simulator);
     return true;
 }
 
@@ -164,10 +177,10 @@ bool simulator_set_ram(struct simulator *simulator, const struct simulator_ram *
         return error_set(err, "renderer with %zu bytes of memory: %s; %zu are the least", mem_b,
                          code_words(LIM_ERR_MEMORY), least_b);
     simulator->part = all_b > least_b ? (double)(mem_b - least_b) / (double)(all_b - least_b) : 1.0;
-    simulator->mem_b = counted_memory_of(core, simulator->scene, target, false).counted.cell_b ? roomy_b : mem_b;
+    simulator->mem_b = counted_memory_of(core, simulator->scene, target, false, false).counted.cell_b ? roomy_b : mem_b;
     const int code = core->init(simulator->lim, simulator->roomy, target, simulator->mem, simulator->mem_b);
     if (code) return error_set(err, "renderer: %s (%d)", code_words(code), code);
-    count(simulator, false);
+    count_pools(simulator);
     return true;
 }
 
@@ -221,7 +234,10 @@ bool simulator_set_antialias(struct simulator *simulator, bool on, struct error 
     if (on && !simulator->smooth_mem) simulator->smooth_mem = malloc(mem_b);
     if (on && !simulator->smooth_mem) return error_set(err, "simulator: out of memory");
     const int code = simulator->core->set_antialias(simulator->lim, on ? simulator->smooth_mem : NULL, mem_b);
-    if (!code) count(simulator, on);
+    if (!code) {
+        simulator->antialias = on;
+        count_pools(simulator);
+    }
     return !code || error_set(err, "--antialias: takes a method that draws nearest first");
 }
 
@@ -256,6 +272,7 @@ bool simulator_set_movers(struct simulator *simulator, const struct lim_instance
     simulator->instances = instances;
     simulator->instance_count = (uint16_t)count;
     if (!simulator->mover_mem) return error_set(err, "simulator: out of memory");
+    count_pools(simulator);
     const int code = core->movers_init(simulator->lim, simulator->mover_mem, mem_b, limits);
     return code == 0 || error_set(err, "renderer: %s (%d)", code_words(code), code);
 }

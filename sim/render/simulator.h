@@ -47,6 +47,7 @@ struct simulator {
     void *mover_mem;                      /* lim's for movers; NULL: there are none */
     const struct lim_instance *instances; /* of the frames to come, the caller's */
     uint16_t instance_count;
+    bool antialias;            /* it is on */
     void *smooth_mem;          /* for antialiasing, or NULL */
     void *delta_mem;           /* for delta output, or NULL */
     uint16_t *pixels;          /* the last frame: RGB565 as numbers, row by row from the top left */

@@ -53,12 +53,10 @@ void c_movers_declare(FILE *file, const struct named_scene *scene, const struct 
     }
     fprintf(file, ". Initialises struct lim_movers_limits; and bytes for lim_movers_init(). */\n");
     fprintf(file, "#define %s_MOVERS %zu\n", name->macro, moving->count);
-    fprintf(file, "#define %s_MOVERS_LIMITS {%u, %u, %u, %u, %u}\n", name->macro, (unsigned)limits->instances,
-            (unsigned)limits->depth, (unsigned)limits->entries, (unsigned)limits->leaf_vertices,
-            (unsigned)limits->leaf_polygons);
-    fprintf(file, "#define %s_MOVERS_MEM_B (LIM_MOVERS_MEM_B(%u, %u, %u, %u)", name->macro,
-            (unsigned)scene->scene->scene.limits.depth, (unsigned)limits->instances, (unsigned)limits->depth,
-            (unsigned)limits->entries);
+    fprintf(file, "#define %s_MOVERS_LIMITS {%u, %u, %u, %u}\n", name->macro, (unsigned)limits->instances,
+            (unsigned)limits->depth, (unsigned)limits->leaf_vertices, (unsigned)limits->leaf_polygons);
+    fprintf(file, "#define %s_MOVERS_MEM_B (LIM_MOVERS_MEM_B(%u, %u, %u)", name->macro,
+            (unsigned)scene->scene->scene.limits.depth, (unsigned)limits->instances, (unsigned)limits->depth);
     if (limits->leaf_polygons)
         fprintf(file, " + LIM_MESH_LEAF_MEM_B(%u, %u)", (unsigned)limits->leaf_vertices,
                 (unsigned)limits->leaf_polygons);
@@ -105,8 +103,7 @@ static void write_moved(FILE *file, const struct moving *moving, const struct c_
             "\n    {.object = &%s_object%zu_scene,\n     .motion = {.keys = %s_keys%zu, .count = %u, .repeats = true",
             name->symbol, i + 1, name->symbol, i + 1, (unsigned)moving->objects[i].motion.count);
     if (moving->objects[i].origins) fprintf(file, ", .origins = {%s_origins%zu}", name->symbol, i + 1);
-    fprintf(file, "},\n     .finer_bits = %u,\n     .by_centre = %s", (unsigned)instance->finer_bits,
-            instance->by_centre ? "true" : "false");
+    fprintf(file, "},\n     .finer_bits = %u", (unsigned)instance->finer_bits);
     if (moving->objects[i].origins) fprintf(file, ",\n     .coarser_bits = {%u}", (unsigned)*instance->coarser_bits);
     fputs("},", file);
 }

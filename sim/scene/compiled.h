@@ -132,6 +132,7 @@ struct compile_report {
     bool fill;                    /* firmware fills a picture that its target keeps */
     bool framebuffer;             /* firmware paints into a framebuffer */
     bool convex;                  /* one convex solid */
+    bool moves;                   /* objects move in it */
     enum lim_method draws;        /* what firmware draws it with */
     unsigned w_px, h_px;          /* of the panel that the pools were measured for */
     struct path_report path;      /* method, tree and instructions are for these */

@@ -22,19 +22,21 @@ static bool has_long_edges(const struct compile_report *report)
     return report->core && report->core->sub_bits >= MCU_LONG_EDGES_MIN_SUB_BITS;
 }
 
-size_t mcu_active_b(const struct core *core, bool has_texture, bool antialias)
+size_t mcu_active_b(const struct core *core, const struct lim_scene *scene, bool antialias, bool moves)
 {
-    const bool is_long = core->sub_bits >= MCU_LONG_EDGES_MIN_SUB_BITS;
-    const size_t samples_b = is_long ? (size_t)MCU_ACTIVE_LONG_SAMPLES_B : (size_t)MCU_ACTIVE_SAMPLES_B;
+    const size_t moves_b = MCU_ACTIVE_MOVES_B + (lim_scene_long(scene) ? (size_t)MCU_ACTIVE_MOVES_LONG_B : 0);
+    const size_t flat_b = MCU_ACTIVE_B + (antialias ? (size_t)MCU_ACTIVE_SAMPLES_B : 0) +
+                          (scene->texture_count ? (size_t)MCU_ACTIVE_TEXTURE_B : 0) + (moves ? moves_b : 0);
 
-    return MCU_ACTIVE_B + (is_long ? (size_t)MCU_LONG_EDGES_B : 0) + (antialias ? samples_b : 0) +
-           (has_texture ? (size_t)MCU_ACTIVE_TEXTURE_B : 0);
+    if (core->sub_bits < MCU_LONG_EDGES_MIN_SUB_BITS) return flat_b;
+    const size_t long_b = flat_b + MCU_LONG_EDGES_B + MCU_LONG_EDGES_ALIGN_B - 1;
+    return long_b - long_b % MCU_LONG_EDGES_ALIGN_B;
 }
 
 static size_t active_b(const struct compiled *scene)
 {
     const struct compile_report *report = &scene->report;
-    return mcu_active_b(report->core ? report->core : &core_fast, scene->scene.texture_count > 0, report->antialias);
+    return mcu_active_b(report->core ? report->core : &core_fast, &scene->scene, report->antialias, report->moves);
 }
 
 /* An entry of the cache, a pending node: each has an index. */
@@ -77,7 +79,7 @@ static size_t sorted_b(const struct compiled *scene, size_t pieces)
 {
     const size_t count = scene->scene.polygon_count;
     if (scene->report.draws == LIM_DEPTH) return count * (MCU_SORTED_B + index_b(scene));
-    return (count + pieces) * (MCU_SORTED_B + MCU_NEWELL_B + 2 * index_b(scene)) + pieces * 2 * MCU_CUT_B;
+    return (count + pieces) * (MCU_SORTED_B + MCU_NEWELL_B + index_b(scene)) + pieces * 2 * MCU_CUT_B;
 }
 
 static size_t nearest_b(const struct compiled *scene, size_t cells, size_t gaps, size_t active, size_t pieces)
@@ -156,7 +158,7 @@ static size_t mover_b(const struct compiled *scene, const struct moving *moving)
 {
     const struct core *core = scene->report.core ? scene->report.core : &core_fast;
     const bool fine = core->profile >= LIM_PROFILE_FINE;
-    return MCU_MOVER_B + index_b(scene) + (fine ? (size_t)MCU_MOVER_FINE_B : 0) +
+    return MCU_MOVER_B + 2 * index_b(scene) + (fine ? (size_t)MCU_MOVER_FINE_B : 0) +
            (scene->report.antialias ? (size_t)MCU_MOVER_ANTIALIAS_B : 0) +
            (moving->light.on ? (size_t)MCU_MOVER_LIGHT_B : 0) +
            (scene->scene.texture_count ? (size_t)MCU_MOVER_TEXTURE_B : 0) +
@@ -168,10 +170,8 @@ static size_t mover_b(const struct compiled *scene, const struct moving *moving)
 size_t mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving)
 {
     const struct lim_movers_limits *limits = &moving->limits;
-    const size_t route_b = MCU_ROUTE_B + index_b(scene) / 2;
-    return aligned_b(limits->instances * mover_b(scene, moving) +
-                     limits->entries * (MCU_SORTED_B + MCU_NEWELL_B + MCU_CUT_B + 2 * index_b(scene)) +
-                     MCU_CACHE_ENTRIES * cached_b(scene) +
+    const size_t route_b = MCU_ROUTE_B + index_b(scene);
+    return aligned_b(limits->instances * mover_b(scene, moving) + MCU_CACHE_ENTRIES * cached_b(scene) +
                      ((size_t)scene->scene.limits.depth + limits->depth) * route_b) +
            leaf_b(scene, limits->leaf_vertices, limits->leaf_polygons);
 }

@@ -17,7 +17,7 @@ size_t mcu_mem_b(const struct compiled *scene);
 size_t mcu_mem_min_b(const struct compiled *scene);
 
 /* A polygon that crosses a line, nearest first or by scan lines. */
-size_t mcu_active_b(const struct core *core, bool has_texture, bool antialias);
+size_t mcu_active_b(const struct core *core, const struct lim_scene *scene, bool antialias, bool moves);
 
 /* Likewise for lim_movers_init(): NAME_MOVERS_MEM_B of the generated header, or a little more. */
 size_t mcu_movers_mem_b(const struct compiled *scene, const struct moving *moving);

@@ -18,9 +18,11 @@ enum {
     MCU_GAP_B = 6,
     MCU_GAP_SAMPLES_B = 14, /* more of them if it can be drawn with antialiased edges */
     MCU_ACTIVE_B = 36,
-    MCU_ACTIVE_SAMPLES_B = 4,      /* more of them if it can be drawn with antialiased edges */
-    MCU_ACTIVE_LONG_SAMPLES_B = 8, /* in profile exact, aligned */
-    MCU_LONG_EDGES_B = 28,         /* more of them in profile exact: edges of 64 bits */
+    MCU_ACTIVE_SAMPLES_B = 4,     /* more of them if it can be drawn with antialiased edges */
+    MCU_ACTIVE_MOVES_B = 48,      /* more of them if something moves */
+    MCU_ACTIVE_MOVES_LONG_B = 16, /* and more if it does so in a scene of many scales */
+    MCU_LONG_EDGES_B = 28,        /* more of them in profile exact: edges of 64 bits */
+    MCU_LONG_EDGES_ALIGN_B = 8,
     MCU_LONG_EDGES_MIN_SUB_BITS = 10,
     MCU_LAYER_B = 8,
     MCU_LAYER_MASKED_B = 8, /* more of them if textures are masked */
@@ -38,22 +40,23 @@ enum {
     MCU_MESH_LEAST_ACTIVE = 7,
     MCU_MESH_ENTRY_B = 6, /* a polygon of a mesh leaf */
     MCU_MESH_ENTRY_WIDE_B = 8,
-    MCU_MOVER_B = 168,
+    MCU_MOVER_B = 192,
     MCU_MOVER_FINE_B = 72,     /* more of them in the profiles fine and exact, at most: half on a Cortex-M0+ */
     MCU_MOVER_ANTIALIAS_B = 4, /* more of them if it can be drawn with antialiased edges */
-    MCU_MOVER_LIGHT_B = 8,     /* more of them if light turns */
+    MCU_MOVER_LIGHT_B = 4,     /* more of them if light turns */
     MCU_MOVER_TEXTURE_B = 88,  /* more of them if the scene has textures */
     MCU_MOVER_SKY_B = 4,       /* and more if one of these is a sky */
     MCU_MOVER_TELE_B = 8,      /* more of them for long lenses, in the profiles draft and fast */
     MCU_MOVER_LONG_B = 40,     /* more of them in a scene of many scales: where the eye is, in 32 bits */
     MCU_INSTANCE_LONG_B = 68,  /* and a copy of its struct lim_instance */
-    MCU_ROUTE_B = 6,
+    MCU_ROUTE_B = 4,
     MCU_MOVED_B = 16,     /* in flash */
     MCU_MOVED_LONG_B = 4, /* and more of them in a scene of many scales */
-    /* More of them in a wide scene (width.h): of an entry of the cache, a pending node, a mover, an entry of the sorted
-     * list and what a depth sort knows of it; half as much of a face and of a pending node on a mover's way. */
+    /* More of them in a wide scene (width.h): of an entry of the cache, a pending node, also on a mover's way, and an
+     * entry of the sorted list; twice as much of a mover, half as much of a face. */
     MCU_INDEX_B = 4,
     MCU_HEAD_CELLS = 2,
+    MCU_TOLD_CELLS = 2, /* before the head of what moves, or is met; of the latter one more for each 16 movers */
     MCU_CLIP_PLANES = 5
 };
 

@@ -136,12 +136,12 @@ bool method_antialiases(enum lim_method draws, bool wireframe, struct error *err
 
 bool method_can_move(enum lim_method draws)
 {
-    return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE || draws == LIM_PAINTER;
+    return draws == LIM_NEAREST_FIRST || draws == LIM_SCANLINE;
 }
 
 bool method_moves(enum lim_method draws, struct error *err)
 {
     return method_can_move(draws) ||
-           error_set(err, "--method %s: it moves no objects; nearest, scanline and painter do, with any tree",
+           error_set(err, "--method %s: it moves no objects; nearest and scanline do, with any tree",
                      method_name(draws));
 }

@@ -24,7 +24,6 @@ struct moving {
     struct lim_instance *instances; /* likewise */
     size_t count;                   /* 0: nothing moves */
     size_t stopped;                 /* not 0: MOVING_OFF made a part of the scene of what is animated */
-    double crowded;                 /* share of sampled views in which too much of it meets, and may be wrong */
     struct lim_light light;         /* on: objects have none baked in */
     struct lim_movers_limits limits;
     struct grid grid; /* of what stands still */

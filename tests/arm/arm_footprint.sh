@@ -273,9 +273,11 @@ for core in m0plus m4; do
     tap_check "$core: it blends, and paints backwards what its stack cannot hold" links $core glass '^lim_(blend|painter_line)$'
     tap_check "$core: nor anything of textures" links_no $core rooms 'texture|texel|palette|mapping'
     tap_check "$core: nor anything of movers" links_no $core rooms \
-        'mover|route|motion|instance|lim_(light|lamp|root)|lim_piece|newell|corner|entry|sorted'
+        'mover|meet|crowd|near_plane|route|motion|instance|lim_(light|lamp|root)|lim_piece|newell|corner|entry|sorted'
     tap_check "$core: the renderer of the rooms with movers builds" built $core moving
-    tap_check "$core: it divides them, and sorts them with one another" links $core moving '^lim_(movers_divide|newell_order)$'
+    tap_check "$core: it meets them on its way" links $core moving '^lim_meet_next$'
+    tap_check "$core: it compares them line by line" links $core moving '^lim_crowd_cut_line$'
+    tap_check "$core: and splits nothing" links_no $core moving 'lim_piece|newell|entry|sorted'
     tap_check "$core: but does not light them" links_no $core moving 'lim_light|lim_isqrt'
     tap_check "$core: the renderer of the textured rooms builds" built $core textured
     tap_check "$core: it has all of that" links $core textured '^lim_texture_(begin|set|fill)$'
@@ -286,6 +288,7 @@ done
 tap_check "nor has it state for them" has_no_member icosahedron pass.walk pass.cull nearest sorter pass.stats
 tap_check "the rooms have no state for a convex solid" has_no_member rooms convex painter pass.stats pass.wireframe pass.view.antialiased delta nearest-\>paint.layers nearest-\>paint.smooth
 tap_check "nor for movers" has_no_member rooms movers sorter
+tap_check "what moves has none for sorting" has_no_member moving sorter
 tap_check "nor for windows and round glass" target_has_no rooms window visible fill
 tap_check "nor for textures" has_no_member rooms pass.texturing
 tap_check "counters cost what they count in, and without them nothing is counted" counters_cost_their_own_size

@@ -31,7 +31,6 @@ by_lines_too() { # SCENE OPTION...
 tap_check "glass" by_lines_too sim/scenes/glass.obj
 tap_check "glass by the painter" by_lines_too sim/scenes/glass.obj --method painter
 tap_check "what moves" by_lines_too sim/scenes/movers.gltf
-tap_check "what moves, by the painter" by_lines_too sim/scenes/movers.gltf --method painter
 tap_check "what alone changes" by_lines_too sim/scenes/rooms.obj --delta
 tap_check "outlines" by_lines_too sim/scenes/rooms.obj --wireframe
 tap_check "smooth edges" by_lines_too sim/scenes/rooms.obj --antialias

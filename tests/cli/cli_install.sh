@@ -91,7 +91,7 @@ tap_check "where to export to" completes 'arduino idf pico cmake plain' limner e
 tap_check "a boot drive's processor" completes 'rp2040 rp2350-arm-s' limner uf2 --family rp
 tap_check "a chip of Espressif's" completes 'esp32c3' limner espimage --chip ''
 tap_check "a light" completes 'baked turning' limner render --mover-light ''
-tap_check "a way to move" completes 'clipped centre off' limner render --movers ''
+tap_check "whether things move" completes 'on off' limner render --movers ''
 tap_check "whether there are portals" completes 'on off auto' limner compile --portals ''
 tap_check "an axis" completes 'y z' limner render --up ''
 tap_check "doors" completes 'closed open move' limner view --doors ''

@@ -81,13 +81,13 @@ frame='--camera random:1:1'
 {
     tap_check "a still model is drawn moving" changes_nothing "--movers: nothing moves in $still
 --mover-light: nothing moves in $still
---fps: nothing moves in $still" "--movers centre --mover-light turning --fps 5" render $still $frame -o OUT/%d.png
+--fps: nothing moves in $still" "--movers on --mover-light turning --fps 5" render $still $frame -o OUT/%d.png
     tap_check "an abbreviated option is told whole" changes_nothing "--fps: nothing moves in $still" "--fp 5" \
         render $still $frame -o OUT/%d.png
     tap_check "a model that could move is told not to" says_nothing render $moving $frame --movers off -o OUT/%d.png
     tap_check "then time does not matter" changes_nothing "--mover-light: nothing moves in $moving
 --fps: nothing moves in $moving" "--fps 30 --mover-light turning" render $moving $frame --movers off -o OUT/%d.png
-    tap_check "a model that moves" says_nothing render $moving $frame --movers centre --fps 30 -o OUT/%d.png
+    tap_check "a model that moves" says_nothing render $moving $frame --movers on --fps 30 -o OUT/%d.png
     tap_check "a compiled scene is as it was compiled" changes_nothing "--splitter: $work/compiled.lim is compiled already
 --tolerance: $work/compiled.lim is compiled already
 --unlit: $work/compiled.lim is compiled already
@@ -108,12 +108,12 @@ frame='--camera random:1:1'
         "--mover-light turning" render $moving $frame --unlit -o OUT/%d.png
     tap_check "a tree has" says_nothing render $still $frame --splitter fewest -o OUT/%d.png
 }
-tap_check "a still model is compiled" changes_nothing "--movers: nothing moves in $still" "--movers centre" \
+tap_check "a still model is compiled" changes_nothing "--movers: nothing moves in $still" "--movers on" \
     compile "$still" -o OUT/scene
 tap_check "a set is sorted, and not filled" changes_nothing "--fill: $still is sorted, and not filled as it is found" "--fill" \
     compile "$still" --tree none -o OUT/scene
-tap_check "two of which one moves" says_nothing compile "$still" "$moving" --movers centre -o OUT/scene
+tap_check "two of which one moves" says_nothing compile "$still" "$moving" --movers on -o OUT/scene
 tap_check "two that stand still" changes_nothing "--movers: nothing moves in these models
---mover-light: nothing moves in these models" "--movers centre --mover-light turning" \
+--mover-light: nothing moves in these models" "--movers on --mover-light turning" \
     compile "$still" sim/scenes/rooms.obj -o OUT/scene
 tap_done

@@ -120,7 +120,6 @@ tap_check "the teapot, by scan lines, in profile exact" draws teapot $scenes/tea
 tap_check "a convex solid" draws icosahedron $scenes/icosahedron.obj - --method convex --precision draft
 tap_check "glass, with smooth edges" draws glass $scenes/glass.obj $scenes/glass.cam
 tap_check "what moves" draws movers $scenes/movers.gltf $scenes/movers.cam
-tap_check "by their centres" draws centre $scenes/movers.gltf $scenes/movers.cam --movers centre
 tap_check "textures" draws textured "$BUILD/scenes/textured/textured.obj" "$BUILD/scenes/textured/textured.cam" --precision fine
 tap_check "knots, sorted and split" draws newell $scenes/knot.obj $scenes/knot.cam --method newell
 tap_check "back to front" draws painter $scenes/rooms.obj $scenes/rooms.cam --method painter

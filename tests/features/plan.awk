@@ -45,8 +45,9 @@ function follow_on(on) {
 function follow_off(on) {
     if (is(on, "NEAREST", 0) && is(on, "PAINTER", 0)) {
         on["LIM_HAS_FRAMEBUFFER"] = 0
-        if (is(on, "SCANLINE", 0)) on["LIM_HAS_MOVERS"] = on["LIM_HAS_MESH_LEAVES"] = on["LIM_HAS_LONG"] = 0
+        if (is(on, "SCANLINE", 0)) on["LIM_HAS_MESH_LEAVES"] = on["LIM_HAS_LONG"] = 0
     }
+    if (is(on, "NEAREST", 0) && is(on, "SCANLINE", 0)) on["LIM_HAS_MOVERS"] = 0
     if (is(on, "NEAREST", 0) && is(on, "CONVEX", 0)) on["LIM_HAS_FILL"] = 0
     if (is(on, "MOVERS", 0)) on["LIM_HAS_LIGHT"] = on["LIM_HAS_DEFORM"] = 0
     if (is(on, "SLANTED", 0)) on["LIM_HAS_LARGE"] = 0

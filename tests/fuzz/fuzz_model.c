@@ -141,7 +141,7 @@ static const char *check_scene(const struct compiled *scene, struct moving *movi
 static const char *compile(struct model *model, uint32_t dice)
 {
     const struct compile_options options = options_of(dice);
-    const struct moving_options movers = {.mode = dice & 128 ? MOVING_CLIPPED : MOVING_BY_CENTRE, .light = dice & 256};
+    const struct moving_options movers = {.mode = MOVING_ON, .light = dice & 256};
     struct compiled scene = {0};
     struct moving moving;
     struct error err;

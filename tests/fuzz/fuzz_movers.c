@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Two forged objects in a forged scene, in up to four places: turned by angles or by keys between which a time lies,
- * finer, bending, entering by their centres, lit; with little room for pieces or much. Two frames by two sets of means,
- * which have the same memory, for how much of it there is decides what goes by its centre.
+ * finer, bending, lit. Two frames by two sets of means.
  *
  * The world of fuzz_long_movers has many scales: the eye, the keys and the places are near its vertices or anywhere,
- * and units of objects are 2^-8 to 2^14 of its own, or what is none. Both means have the same pages there: where
- * entries run out, pages decide what goes by its centre, too. */
+ * and units of objects are 2^-8 to 2^14 of its own, or what is none. */
 #include "fuzz_scene.h"
 #include "fuzz_show.h"
 #include "fuzz_view.h"
@@ -16,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OBJECTS = 2, INSTANCES_MAX = 4, KEYS_MAX = 4, ENTRIES_MAX = 256, AT_END_Q8 = 1 << 24 };
+enum { OBJECTS = 2, INSTANCES_MAX = 4, KEYS_MAX = 4, AT_END_Q8 = 1 << 24 };
 enum { FAR_FINER_BITS = 8, FAR_COARSER_BITS = 14 };
 
 struct moving_part {
@@ -150,7 +148,6 @@ static void make_instance(struct movers *movers, uint16_t index, struct fuzz_byt
         struct lim_instance *instance = &movers->instances[frame][index];
         *instance = (struct lim_instance){.deforms = (flags & 6) == 6};
         lim_moved_at(&part->moved, 1, time_ms, instance);
-        instance->by_centre = flags & 8;
         if (flags & 16) {
             for (int i = 0; i < 3; i++)
                 instance->at_q8[i] = position_q8(bytes);
@@ -179,7 +176,7 @@ static void make_limits(const struct movers *movers, struct fuzz_bytes *bytes, s
     struct lim_movers_limits *limits = &subject->limits;
 
     limits->instances = (uint16_t)(1 + fuzz_below(bytes, INSTANCES_MAX));
-    limits->entries = (uint16_t)(limits->instances + fuzz_below(bytes, ENTRIES_MAX));
+    (void)fuzz_u8(bytes); /* the corpus has a byte here, of what is no longer asked for */
     for (int i = 0; i < OBJECTS; i++)
         if (movers->parts[i].object.scene.limits.depth > limits->depth)
             limits->depth = movers->parts[i].object.scene.limits.depth;
@@ -253,8 +250,7 @@ static const char *run_in(const uint8_t *input, size_t size_b, bool is_long)
     if (is_long && look.method >= LIM_DEPTH) /* which long scenes are not for */
         look.method = look.method == LIM_DEPTH ? LIM_NEAREST_FIRST : LIM_SCANLINE;
     fuzz_means_both_from(&bytes, means);
-    means[1].memory = means[0].memory;
-    if (is_long && means[1].page_px != means[0].page_px) means[0].page_px = means[1].page_px = 0;
+    means[1].memory = means[0].memory; /* a scene whose planes are not its polygons' has no order that bands keep */
     fuzz_view_from(&bytes, &subject);
     for (int i = 0; i < OBJECTS; i++)
         make_part(&movers.parts[i], &bytes);

@@ -66,7 +66,7 @@ static void open_file(struct golden_stage *stage, const char *model, const char 
                                             .portals = portals,
                                             .w_px = GOLDEN_W_PX,
                                             .h_px = GOLDEN_H_PX};
-    const struct moving_options movers = {.mode = MOVING_CLIPPED};
+    const struct moving_options movers = {.mode = MOVING_ON};
     struct camera_path whole;
     char path[256];
     struct error err;
@@ -277,12 +277,12 @@ bool golden_begin(struct simulator *simulator, struct golden_stage *stage, const
 {
     const struct simulator_setup setup = {
         w_px, h_px, way->method, way->special == GOLDEN_FRAMEBUFFER ? SIMULATOR_FRAMEBUFFER : SIMULATOR_MEMORY, core};
-    const bool walks = setup.method == LIM_NEAREST_FIRST || setup.method == LIM_PAINTER;
+    const bool moves = setup.method == LIM_NEAREST_FIRST || setup.method == LIM_SCANLINE;
     const bool sorts = setup.method == LIM_DEPTH || setup.method == LIM_NEWELL;
     struct error err;
 
     memset(simulator, 0, sizeof *simulator);
-    if (stage->moving.count && !walks) return false;
+    if (stage->moving.count && !moves) return false;
     if (stage->is_set && !sorts) return false;
     return simulator_init(simulator, &stage->scene.scene, &setup, &err) && golden_turn_on(simulator, stage, way);
 }

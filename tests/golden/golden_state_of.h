@@ -7,6 +7,7 @@
 #include "golden_state.h"
 #include "limner.h"
 #include "lines/retain.h"
+#include "movers/meet.h"
 #include "screen/polygon.h"
 #include "view/view.h"
 
@@ -81,7 +82,6 @@ static uint32_t add_mover(uint32_t hash, const struct lim_mover *mover, bool lit
 static uint32_t add_movers(uint32_t hash, const struct lim_movers *movers, uint16_t count)
 {
     hash = add_three(add_three(hash, movers->ahead_q28), movers->camera.eye_q8);
-    if (movers->world.rows.near_qv) hash = add_rows(hash, &movers->world.rows);
     for (uint16_t i = 0; i < count && i < movers->most; i++)
         hash = add_mover(hash, &movers->movers[i], movers->light->on);
     return hash;
@@ -90,7 +90,7 @@ static uint32_t add_movers(uint32_t hash, const struct lim_movers *movers, uint1
 static uint32_t add_polygon(uint32_t hash, const struct lim_newell_polygon *polygon)
 {
     hash = golden_hash(add(hash, polygon->near_qv), &polygon->rect, sizeof polygon->rect);
-    hash = add(add(add(hash, polygon->node), polygon->cuts), polygon->owner);
+    hash = add(add(hash, polygon->node), polygon->cuts);
     return add(hash, polygon->eye_in_front | polygon->swapped << 1 | polygon->last << 2);
 }
 
@@ -179,26 +179,53 @@ static uint32_t add_hidden(uint32_t hash, const uint16_t *hidden, unsigned n)
     return hash;
 }
 
-/* What is written of the cells, which may be larger; the rest has what pass two left there. Up to the first piece: how
- * many lines that has is not noted. */
+/* What is written of a polygon's cells, which may be larger, and how many they are. */
+static uint32_t add_retained(uint32_t hash, const union lim_retained_cell *cells, bool wireframe, unsigned *count)
+{
+    const unsigned n = cells[0].link.n, corners = LIM_RETAINED_HEAD_CELLS + n, cell_bits = 8 * sizeof *cells;
+    const bool transparent = cells[1].look.bottom & LIM_RETAINED_TRANSPARENT;
+
+    hash = add(add(add(hash, cells[0].link.next), n), cells[0].link.first);
+    hash = add(add(hash, cells[1].look.bottom), cells[1].look.colour);
+    for (unsigned k = LIM_RETAINED_HEAD_CELLS; k < corners; k++)
+        hash = add(add(hash, cells[k].at.x), cells[k].at.y);
+    if (transparent) hash = add(hash, cells[corners].alpha);
+    if (wireframe) hash = add_hidden(hash, cells[corners].hidden, n);
+    *count = corners + transparent;
+    if (wireframe) *count += ((n + 15) / 16 * 16 + cell_bits - 1) / cell_bits;
+    return hash;
+}
+
+/* All of the cells; the rest has what pass two left there. Up to the first piece: how many lines that has is not noted.
+ */
 static uint32_t add_cells(uint32_t hash, const struct lim_retained *retained, bool wireframe)
 {
-    const union lim_retained_cell *const cells = retained->cells;
-    const unsigned cell_bits = 8 * sizeof *cells;
+    unsigned count;
 
-    for (uint16_t at = 0; at < retained->used && cells[at].link.n;) {
-        const unsigned n = cells[at].link.n, corners = LIM_RETAINED_HEAD_CELLS + n;
-        const bool transparent = cells[at + 1].look.bottom & LIM_RETAINED_TRANSPARENT;
-        hash = add(add(add(hash, cells[at].link.next), n), cells[at].link.first);
-        hash = add(add(hash, cells[at + 1].look.bottom), cells[at + 1].look.colour);
-        for (unsigned k = LIM_RETAINED_HEAD_CELLS; k < corners; k++)
-            hash = add(add(hash, cells[at + k].at.x), cells[at + k].at.y);
-        if (transparent) hash = add(hash, cells[at + corners].alpha);
-        if (wireframe) hash = add_hidden(hash, cells[at + corners].hidden, n);
-        at = (uint16_t)(at + corners + transparent);
-        if (wireframe) at = (uint16_t)(at + ((n + 15) / 16 * 16 + cell_bits - 1) / cell_bits);
-    }
+    for (uint16_t at = 0; at < retained->used && retained->cells[at].link.n; at = (uint16_t)(at + count))
+        hash = add_retained(hash, &retained->cells[at], wireframe, &count);
     return hash;
+}
+
+/* Where something moves: by lines, as cells may lie between polygons that tell of the next. */
+static uint32_t add_cells_of_lines(uint32_t hash, const struct lim_nearest *nearest, uint16_t h_px, bool wireframe)
+{
+    const union lim_retained_cell *const cells = nearest->retained.cells;
+    unsigned count;
+
+    for (uint16_t y = 0; y < h_px; y++)
+        for (uint16_t at = nearest->spans.lines[y].retained; at != LIM_NONE; at = cells[at].link.next) {
+            if (cells[at + 1].look.bottom & LIM_RETAINED_MET)
+                hash = add(add(hash, lim_met_owner(&cells[at])), cells[at - 2].word);
+            hash = add_retained(hash, &cells[at], wireframe, &count);
+        }
+    return hash;
+}
+
+/* Polygons may have lain where lines and vertices were, or cuts. */
+static bool is_overwritten(const struct lim_nearest *nearest)
+{
+    return nearest->paint.actives.in_pool || *nearest->paint.actives.crowded;
 }
 
 /* All of it ---------------------------------------------------------------------------------- */
@@ -212,10 +239,13 @@ static uint32_t add_spans(uint32_t hash, const struct lim *lim)
     hash = add(add(add(hash, gaps), gaps - spans->fresh), spans->open_lines);
     if (!lim_is_antialiased(&lim->pass.view))
         hash = golden_hash(hash, &spans->pool[spans->fresh], (gaps - spans->fresh) * sizeof *spans->pool);
-    if (!lim->nearest->bands && !lim->nearest->paint.actives.in_pool) /* else polygons may have lain there */
+    if (!lim->nearest->bands && !is_overwritten(lim->nearest))
         hash = golden_hash(hash, spans->lines, lim->pass.target.h_px * sizeof *spans->lines);
     hash = add(add(hash, retained->whole), retained->used);
-    hash = add_cells(hash, retained, lim->pass.wireframe->on);
+    if (!lim_moves(lim->movers))
+        hash = add_cells(hash, retained, lim->pass.wireframe->on);
+    else if (!lim->nearest->bands && !is_overwritten(lim->nearest))
+        hash = add_cells_of_lines(hash, lim->nearest, lim->pass.target.h_px, lim->pass.wireframe->on);
     if (!lim->nearest->bands && !lim->nearest->paint.actives.in_pool)
         hash = add_actives(hash, &lim->nearest->paint.actives, retained);
     return add(add(hash, lim->nearest->paint.layers->size), lim->nearest->paint.layers->used);
@@ -228,14 +258,12 @@ static uint32_t state_of(const void *state, uint16_t movers)
     const bool spans = method != LIM_CONVEX && method != LIM_PAINTER;
     uint32_t hash = add_rows(GOLDEN_HASH, &lim->pass.view.rows);
 
-    if (!spans || !lim->nearest->paint.actives.in_pool) /* else they lie where vertices were */
-        hash = add_vertices(hash, lim->pass.view.cache);
+    if (!spans || !is_overwritten(lim->nearest)) hash = add_vertices(hash, lim->pass.view.cache);
     hash = add_eye(add_cull(add(hash, lim->pass.view.vertices), lim->pass.cull), &lim->pass.walk->eye);
     if (lim->pass.scene->textures) hash = add_texturing(hash, lim->pass.texturing);
     if (method == LIM_CONVEX) return add_crossings(hash, lim->convex, lim->pass.scene->textures);
     if (lim->movers->most) hash = add_movers(hash, lim->movers, movers);
-    if (lim->movers->most || method == LIM_NEWELL || method == LIM_DEPTH)
-        hash = add_sorted(hash, lim->sorter, lim->movers->most || method == LIM_NEWELL);
+    if (method == LIM_NEWELL || method == LIM_DEPTH) hash = add_sorted(hash, lim->sorter, method == LIM_NEWELL);
     if (lim->pass.walk->portals->bits)
         hash = golden_hash(hash, lim->pass.walk->portals->bits, LIM_PORTALS_BITS_B(lim->pass.scene->box_count));
     return method == LIM_PAINTER ? hash : add_spans(hash, lim);

@@ -56,18 +56,14 @@ static struct lim_camera camera_near(const struct lim_scene *scene, struct rando
     return camera;
 }
 
-/* Movers as they are posed, but one: by its centre, deforming, turned anyhow, of a finer unit, far off, or no longer
- * there.
- */
+/* Movers as they are posed, but one: turned anyhow, of a finer unit, or far off; or all of them deforming. */
 static void pose(struct moving *moving, int i, struct random *random)
 {
     struct lim_instance *one = &moving->instances[random_u64(random) % moving->count];
 
     moving_pose(moving, moving_time_s(moving, (size_t)i, CAMERAS));
-    for (size_t k = 0; k < moving->count; k++) {
-        moving->instances[k].by_centre = i % 4 == 1;
+    for (size_t k = 0; k < moving->count; k++)
         moving->instances[k].deforms = i % 4 == 2;
-    }
     if (i % 3 == 1) {
         const uint32_t yaw = random_angle(random), pitch = random_angle(random), roll = random_angle(random);
         lim_instance_turn(one, yaw, pitch, roll);
@@ -90,7 +86,6 @@ static void pose_anyhow(struct moving *moving, struct random *random)
         const uint32_t yaw = random_angle(random), pitch = random_angle(random), roll = random_angle(random);
         lim_instance_turn(one, yaw, pitch, roll);
         one->finer_bits = (uint8_t)random_in(random, 0, 3);
-        one->by_centre = random_u64(random) % 4 == 0;
         one->deforms = random_u64(random) % 4 == 0;
         for (int i = 0; i < 3 && random_u64(random) % 4; i++)
             one->at_q8[i] = at_q8[i] + (int32_t)random_in(random, -40 * 256, 40 * 256);

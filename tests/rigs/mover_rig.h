@@ -40,7 +40,7 @@ void mover_rig_add_rooms(struct mover_rig *rig, bool doorway);
 void mover_rig_add_box(struct mover_rig *rig, double x_m, double y_m, double z_m, const struct model_pose *pose);
 
 /* No more is added. `core` may be NULL: fast. */
-void mover_rig_compile(struct mover_rig *rig, enum moving_mode mode, enum lim_method method, const struct core *core);
+void mover_rig_compile(struct mover_rig *rig, enum lim_method method, const struct core *core);
 
 /* Draws the movers where their poses take them, and compares. */
 void mover_rig_view(struct mover_rig *rig, const double eye_m[3], const double target_m[3]);
@@ -54,8 +54,8 @@ void mover_rig_bend(struct mover_rig *rig, size_t mover, void (*bend)(double at_
 /* How many pixels of the last view show a face of a mover (from 1), or of what stands still (0). */
 size_t mover_rig_pixels(const struct mover_rig *rig, size_t mover);
 
-/* Of all views at most so many pixels of a million are wrong, none is a hole; in the last nothing that moves went by
- * its centre or was left out. */
+/* Of all views at most so many pixels of a million are wrong, none is a hole; in the last nothing that moves was left
+ * out. */
 void mover_rig_assert_right(const struct mover_rig *rig, double ppm);
 
 const struct lim_stats *mover_rig_stats(const struct mover_rig *rig);

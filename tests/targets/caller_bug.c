@@ -79,7 +79,7 @@ static int draw(void)
     if (BUG == 9 && lim_set_delta(it, mem.bytes + 2, 0)) return 1;
 #endif
 #if LIM_HAS_MOVERS
-    const struct lim_movers_limits too_many = {2, 1, 1, 0, 0};
+    const struct lim_movers_limits too_many = {LIM_INSTANCES_MAX + 1, 1, 0, 0};
     if (BUG == 10 && lim_movers_init(it, mem.bytes, 0, &too_many)) return 1;
 #endif
     return lim_frame(it, from);

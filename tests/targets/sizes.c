@@ -18,9 +18,11 @@ _Static_assert((LIM_WIDE ? MCU_CELL_WIDE_B : MCU_CELL_B) == sizeof(union lim_ret
 _Static_assert(MCU_GAP_B + (LIM_HAS_ANTIALIAS ? MCU_GAP_SAMPLES_B : 0) == LIM_GAP_MEM_B, "gap");
 enum {
     HAS_LONG_EDGES = LIM_SUB_BITS >= MCU_LONG_EDGES_MIN_SUB_BITS,
-    SAMPLES_B = HAS_LONG_EDGES ? MCU_ACTIVE_LONG_SAMPLES_B : MCU_ACTIVE_SAMPLES_B,
-    ACTIVE_B = MCU_ACTIVE_B + (HAS_LONG_EDGES ? MCU_LONG_EDGES_B : 0) + (LIM_HAS_ANTIALIAS ? SAMPLES_B : 0) +
-               (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0)
+    FLAT_B = MCU_ACTIVE_B + (LIM_HAS_ANTIALIAS ? MCU_ACTIVE_SAMPLES_B : 0) +
+             (LIM_HAS_TEXTURE ? MCU_ACTIVE_TEXTURE_B : 0) +
+             (LIM_HAS_MOVERS ? MCU_ACTIVE_MOVES_B + (LIM_HAS_LONG ? MCU_ACTIVE_MOVES_LONG_B : 0) : 0),
+    LONG_B = (FLAT_B + MCU_LONG_EDGES_B + MCU_LONG_EDGES_ALIGN_B - 1) / MCU_LONG_EDGES_ALIGN_B * MCU_LONG_EDGES_ALIGN_B,
+    ACTIVE_B = HAS_LONG_EDGES ? LONG_B : FLAT_B
 };
 _Static_assert(ACTIVE_B == sizeof(struct lim_active), "active polygon");
 _Static_assert(MCU_LAYER_B + (LIM_HAS_MASKED ? MCU_LAYER_MASKED_B : 0) == sizeof(struct lim_layer),
@@ -29,12 +31,12 @@ _Static_assert((int)MCU_HEAD_CELLS == (int)LIM_RETAINED_HEAD_CELLS, "head of a r
 _Static_assert((int)MCU_CLIP_PLANES == (int)CLIP_PLANES, "vertices that clipping adds");
 
 _Static_assert(MCU_SORTED_B + INDEX_B == sizeof(struct lim_sorted), "entry of the sorted list");
-_Static_assert(MCU_NEWELL_B + INDEX_B == sizeof(struct lim_newell_polygon), "what a depth sort knows of an entry");
+_Static_assert(MCU_NEWELL_B == sizeof(struct lim_newell_polygon), "what a depth sort knows of an entry");
 _Static_assert(MCU_CUT_B == sizeof(struct lim_cut), "cut");
 
 enum {
     IS_FINE = LIM_PROFILE >= LIM_PROFILE_FINE,
-    MOVER_B = MCU_MOVER_B + INDEX_B + (IS_FINE ? MCU_MOVER_FINE_B : 0) +
+    MOVER_B = MCU_MOVER_B + 2 * INDEX_B + (IS_FINE ? MCU_MOVER_FINE_B : 0) +
               (LIM_HAS_ANTIALIAS ? MCU_MOVER_ANTIALIAS_B : 0) + (LIM_HAS_LIGHT ? MCU_MOVER_LIGHT_B : 0) +
               (LIM_HAS_TEXTURE ? MCU_MOVER_TEXTURE_B : 0) + (LIM_HAS_SKY ? MCU_MOVER_SKY_B : 0) +
               (LIM_HAS_TELE && !IS_FINE ? MCU_MOVER_TELE_B : 0) + (LIM_HAS_LONG ? MCU_MOVER_LONG_B : 0)
@@ -44,7 +46,7 @@ enum {
 enum { PAIRS_SAVE_B = LIM_DUAL_MULTIPLY ? 4 * 4 : 0 };
 _Static_assert(IS_FINE ? MOVER_B >= sizeof(struct lim_mover) : MOVER_B == sizeof(struct lim_mover) + PAIRS_SAVE_B,
                "mover");
-_Static_assert(MCU_ROUTE_B + INDEX_B / 2 == sizeof(struct lim_route_pending), "pending node on a mover's way");
+_Static_assert(MCU_ROUTE_B + INDEX_B == sizeof(struct lim_route_pending), "pending node on a mover's way");
 _Static_assert(MCU_MOVED_B + (LIM_HAS_LONG ? MCU_MOVED_LONG_B : 0) == sizeof(struct lim_moved),
                "object and its motion");
 _Static_assert(!LIM_HAS_LONG || MCU_INSTANCE_LONG_B == sizeof(struct lim_instance), "copy of an instance");

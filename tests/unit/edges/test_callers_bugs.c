@@ -162,7 +162,7 @@ static void instances_that_are_none(void)
 static void move_a_long_object(struct compiled *in)
 {
     const struct lim_target usual = target(W_PX);
-    const struct lim_movers_limits limits = {.instances = 1, .depth = 64, .entries = 64};
+    const struct lim_movers_limits limits = {.instances = 1, .depth = 64};
     const struct lim_instance instance = {.object = &long_scene.scene,
                                           .axes_q30 = {1 << 30, 0, 0, 0, 1 << 30, 0, 0, 0, 1 << 30}};
 

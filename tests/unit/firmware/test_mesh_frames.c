@@ -405,7 +405,7 @@ static void what_meshes_do_not_have_is_refused(void **state)
 {
     const struct core *found[PROFILES_MAX];
     const size_t count = profiles_find(found);
-    const struct lim_movers_limits limits = {.instances = 1, .depth = 1, .entries = 10};
+    const struct lim_movers_limits limits = {.instances = 1, .depth = 1};
     const struct lim_instance instance = {.object = &soup.scene,
                                           .axes_q30 = {1 << 30, 0, 0, 0, 1 << 30, 0, 0, 0, 1 << 30}};
     struct random random = {131};

@@ -256,12 +256,9 @@ static void all_of_a_scene_move_at_once(void **state)
     struct lim_motion_key keys[2] = {{0, {0, 0, 0}, {0, 0, 0, 32767}, 0}, {1000, {256, 0, 0}, {0, 0, 0, 32767}, 0}};
     static const struct lim_scene objects[2] = {{0}};
     const struct lim_moved moved[2] = {
-        {.object = &objects[0],
-         .motion = {.keys = keys, .count = 2, .repeats = true},
-         .finer_bits = 1,
-         .by_centre = true},
+        {.object = &objects[0], .motion = {.keys = keys, .count = 2, .repeats = true}, .finer_bits = 1},
         {.object = &objects[1], .motion = {.keys = keys + 1, .count = 1, .repeats = true}, .finer_bits = 2}};
-    struct lim_instance instances[2] = {{0}, {.by_centre = true}};
+    struct lim_instance instances[2] = {{0}};
     (void)state;
 
     lim_moved_at(moved, 2, 500, instances);
@@ -269,8 +266,7 @@ static void all_of_a_scene_move_at_once(void **state)
     assert_int_equal(instances[0].at_q8[0], 128);
     assert_int_equal(instances[1].at_q8[0], 256);
     assert_int_equal(instances[1].finer_bits, 2);
-    assert_true(instances[0].by_centre);
-    assert_false(instances[1].by_centre);
+    assert_int_equal(instances[0].finer_bits, 1);
 }
 
 /* Yaw turns counter-clockwise from above, pitch raises what looks along -z, as for a camera. */

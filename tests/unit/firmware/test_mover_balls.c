@@ -159,7 +159,7 @@ static void every_ball_holds_its_mover_closely(void **state)
 
 /* Pairs ----------------------------------------------------------------------------------------------------------- */
 
-enum { PAIRS = 4000, SIDE_PX = 16, PAIR = 2, ENTRIES = 16, WAYS = 150, STEPS = 24 };
+enum { PAIRS = 4000, SIDE_PX = 16, PAIR = 2, WAYS = 150, STEPS = 24 };
 
 struct pair {
     struct set nothing, objects[PAIR];
@@ -174,7 +174,7 @@ struct pair {
 
 static void pair_open(struct pair *pair)
 {
-    const struct lim_movers_limits limits = {PAIR, 1, ENTRIES, 0, 0};
+    const struct lim_movers_limits limits = {PAIR, 1, 0, 0};
 
     memset(pair, 0, sizeof *pair);
     set_init(&pair->nothing);

@@ -5,8 +5,6 @@
 #include "limner.h"
 #include "math/orientation.h"
 #include "movers/mover.h"
-#include "pieces/corners.h"
-#include "pieces/piece.h"
 #include "rigs/cmocka_ready.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random_camera.h"
@@ -18,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUNDS = 3000, SIDE_PX = 64, MOVERS = 2, ENTRIES = 8 };
+enum { ROUNDS = 3000, SIDE_PX = 64, MOVERS = 2 };
 
 /* A static scene and an object, a few triangles each, and what draws them. */
 struct stage {
@@ -46,16 +44,11 @@ static void add_triangles(struct set *set, const int16_t at[3])
     }
 }
 
-static struct lim_movers_limits limits_of(uint16_t entries)
-{
-    return (struct lim_movers_limits){MOVERS, 1, entries, 0, 0};
-}
+static const struct lim_movers_limits limits = {MOVERS, 1, 0, 0};
 
 /* Movers their memory: how many corners they may have depends on the renderer's. */
 static void stage_lend(struct stage *stage)
 {
-    const struct lim_movers_limits limits = limits_of(ENTRIES);
-
     assert_int_equal(
         lim_movers_init(&stage->lim, stage->mover_mem, lim_movers_mem_b(&stage->scene.scene, &limits), &limits),
         LIM_OK);
@@ -65,7 +58,6 @@ static void stage_lend(struct stage *stage)
 static void stage_open(struct stage *stage, const int16_t at[3])
 {
     static const int16_t origin[3] = {0, 0, -2000};
-    const struct lim_movers_limits limits = limits_of(ENTRIES);
 
     memset(stage, 0, sizeof *stage);
     add_triangles(&stage->scene, origin);
@@ -378,7 +370,7 @@ static void objects_that_cannot_be_drawn_are_left_out(void **state)
     stage.lim.nearest->retained.whole--;
     stage_lend(&stage);
     assert_false(pose(&stage, &camera));
-    stage.lim.pass.target.method = LIM_PAINTER; /* which retains nothing */
+    stage.lim.nearest->retained.whole++;
     stage_lend(&stage);
     assert_true(pose(&stage, &camera));
     stage_close(&stage);
@@ -524,245 +516,6 @@ static void eyes_at_the_bounds_are_near_enough(void **state)
     stage_close(&stage);
 }
 
-/* Sides -------------------------------------------------------------------------------------- */
-
-/* A plane of the object's, in its own units; what is within the sum of its normal is on it. */
-struct own_plane {
-    double n[3], d, slack;
-};
-
-static int side_of(const struct own_plane *plane, const double at[3])
-{
-    const double value = dot(plane->n, at) - plane->d;
-
-    return value > plane->slack ? LIM_SIDE_FRONT : value < -plane->slack ? LIM_SIDE_BACK : 0;
-}
-
-/* Anywhere, or just about where it begins to be beside a plane. */
-static void any_corner(int16_t corner[3], const struct own_plane *plane, struct random *random)
-{
-    double at[3];
-
-    for (int i = 0; i < 3; i++)
-        at[i] = (double)random_in(random, -1000, 1000);
-    const double to = plane->slack * (0.7 + random_unit(random)) * (random_in(random, 0, 7) ? 1 : -1);
-    const double by = plane->slack > 0 ? (to + plane->d - dot(plane->n, at)) / dot(plane->n, plane->n) : 0;
-    for (int i = 0; i < 3; i++)
-        corner[i] = (int16_t)lround(fmax(-4000, fmin(4000, at[i] + by * plane->n[i])));
-}
-
-static bool is_flat(const int16_t (*corners)[3])
-{
-    double area = 0;
-
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double part = (double)(corners[1][j] - corners[0][j]) * (corners[2][k] - corners[0][k]) -
-                            (double)(corners[1][k] - corners[0][k]) * (corners[2][j] - corners[0][j]);
-        area += part * part;
-    }
-    return area < 1e8;
-}
-
-/* Adds a triangle to the object; `beside` may be all 0: anywhere. */
-static void add_own(struct stage *stage, const struct own_plane *beside, struct own_plane *plane, int16_t corners[3][3],
-                    struct random *random)
-{
-    const struct lim_scene *object = &stage->object.scene;
-    int64_t n[3], d;
-
-    do {
-        for (int k = 0; k < 3; k++)
-            any_corner(corners[k], beside, random);
-    } while (is_flat((const int16_t(*)[3])corners));
-    set_add(&stage->object, 1, 3, (const int16_t(*)[3])corners);
-    plane_exact(object, lim_record_plane(&object->polygons[stage->object.last]), n, &d);
-    for (int i = 0; i < 3; i++)
-        plane->n[i] = (double)n[i];
-    plane->d = (double)d;
-    plane->slack = fabs(plane->n[0]) + fabs(plane->n[1]) + fabs(plane->n[2]);
-}
-
-/* Whether that is so as well where it is turned, as the sum is another then, and of units up to eight times as large.
- */
-static bool is_sure(const struct own_plane *plane, const double at[3])
-{
-    const double beside = fabs(dot(plane->n, at) - plane->d);
-
-    return beside < 0.5 * plane->slack || beside > 16 * plane->slack;
-}
-
-/* What of a triangle is in front of one plane, and on which sides of another: 0 and clear, or not clear. */
-static int sides_of_front(const int16_t (*corners)[3], const struct own_plane *cut, const struct own_plane *plane,
-                          bool *is_clear)
-{
-    int sides = 0, crossings = 0;
-
-    *is_clear = true;
-    for (int k = 0; k < 3; k++) {
-        double a[3], b[3], at[3];
-        for (int i = 0; i < 3; i++) {
-            a[i] = corners[k][i];
-            b[i] = corners[(k + 1) % 3][i];
-        }
-        const double from = dot(cut->n, a) - cut->d, to = dot(cut->n, b) - cut->d;
-        if (fabs(from) < 3 * cut->slack) *is_clear = false;
-        if (!is_sure(plane, a)) *is_clear = false;
-        if (from >= 0) sides |= side_of(plane, a);
-        if ((from >= 0) == (to >= 0)) continue;
-        for (int i = 0; i < 3; i++)
-            at[i] = a[i] + (b[i] - a[i]) * from / (from - to);
-        if (!is_sure(plane, at)) *is_clear = false;
-        sides |= side_of(plane, at);
-        crossings++;
-    }
-    if (crossings != 2) *is_clear = false;
-    return sides;
-}
-
-/* As if the object stood still; and where a polygon has been cut, what is left of it. */
-static void sides_within_an_object_are_its_own(void **state)
-{
-    enum { OF, BY, CUT, POLYGONS };
-    static const int16_t at[3] = {0, 0, 0};
-    static const struct own_plane anywhere;
-    static struct stage stage;
-    struct random random = {607};
-    int whole[4] = {0}, pieces = 0;
-
-    (void)state;
-    stage_open(&stage, at);
-    stage.lim.movers->instances = &stage.instance;
-    struct lim_newell *newell = stage.lim.sorter->newell;
-    for (int round = 0; round < ROUNDS; round++) {
-        struct own_plane planes[POLYGONS];
-        int16_t corners[POLYGONS][3][3];
-        int expected = 0;
-        bool is_clear;
-        place_anyhow(&stage.instance, &random);
-        set_init(&stage.object);
-        add_own(&stage, &anywhere, &planes[BY], corners[BY], &random);
-        add_own(&stage, round & 1 ? &planes[BY] : &anywhere, &planes[OF], corners[OF], &random);
-        add_own(&stage, &anywhere, &planes[CUT], corners[CUT], &random);
-        for (int i = 0; i < POLYGONS; i++) {
-            static const lim_index order[POLYGONS] = {1, 0, 2};
-            const lim_index words = (lim_index)lim_record_words(stage.object.polygons[0]);
-            stage.lim.sorter->list[i] = (struct lim_sorted){.record = (lim_index)(order[i] * words), .next = LIM_NONE};
-            newell->polygons[i] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
-        }
-        for (int k = 0; k < 3; k++) {
-            const double corner[3] = {corners[OF][k][0], corners[OF][k][1], corners[OF][k][2]};
-            expected |= side_of(&planes[BY], corner);
-        }
-        lim_mover_forget_corners(stage.lim.movers);
-        assert_int_equal(lim_piece_sides(stage.lim.sorter, OF, BY), expected);
-        whole[expected]++;
-        const int of_piece = sides_of_front((const int16_t(*)[3])corners[OF], &planes[CUT], &planes[BY], &is_clear);
-        if (!is_clear) continue;
-        newell->cuts[0] = (struct lim_cut){LIM_NONE, CUT | LIM_CUT_FRONT};
-        newell->polygons[OF].cuts = 0;
-        assert_int_equal(lim_piece_sides(stage.lim.sorter, OF, BY), expected == LIM_SIDE_BOTH ? of_piece : expected);
-        pieces += expected == LIM_SIDE_BOTH && of_piece != LIM_SIDE_BOTH;
-    }
-    print_message("# %d on it, %d in front, %d behind, %d both, %d pieces\n", whole[0], whole[1], whole[2], whole[3],
-                  pieces);
-    assert_true(whole[0] > ROUNDS / 100 && whole[1] > ROUNDS / 20 && whole[2] > ROUNDS / 20 && whole[3] > ROUNDS / 20);
-    assert_true(pieces > ROUNDS / 50);
-    stage_close(&stage);
-}
-
-/* On either side of a plane, by some 4096ths of a unit, or on it: what crosses it has a corner there, on both sides. */
-static void corners_are_added_where_the_plane_is_crossed(void **state)
-{
-    enum { VALUES = 5, CASES = VALUES * VALUES * VALUES };
-    static const struct lim_plane_unpacked along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
-    static const int16_t at[3] = {0, 0, 0};
-    static struct stage stage;
-
-    (void)state;
-    stage_open(&stage, at);
-    stage.lim.movers->instances = &stage.instance;
-    stage.instance.axes_q30[0] = 1 << 18; /* an object's unit is a 4096th */
-    stage.lim.sorter->list[0] = (struct lim_sorted){.record = 0, .next = LIM_NONE};
-    stage.lim.sorter->newell->polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
-    for (int k = 0; k < CASES; k++)
-        for (int front = 0; front < 2; front++) {
-            const int x[3] = {k % VALUES - 2, k / VALUES % VALUES - 2, k / VALUES / VALUES - 2};
-            struct lim_corners places[2];
-            int expected = 0;
-            for (int i = 0; i < 3; i++) {
-                stage.object.vertices[i].x = (int16_t)x[i];
-                expected += (front ? x[i] >= 0 : x[i] <= 0) + (x[i] * x[(i + 1) % 3] < 0);
-            }
-            lim_mover_forget_corners(stage.lim.movers);
-            const struct lim_corners *corners = lim_corners_cut(stage.lim.sorter, 0, &along_x, front, places);
-            assert_int_equal(corners ? corners->n : 0, expected < 3 ? 0 : expected);
-            for (int i = 0; corners && i < expected; i++)
-                assert_true(front ? corners->at_q12[i][0] >= 0 : corners->at_q12[i][0] <= 0);
-        }
-    stage_close(&stage);
-}
-
-/* What of it reaches 5 units before the plane is cut off, and the rest lies on it: it is before the plane, as the whole
- * is. */
-static void sides_are_the_wholes_as_long_as_they_decide(void **state)
-{
-    enum { OF, CUT, POLYGONS };
-    static const struct lim_plane_unpacked along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
-    static const int16_t at[3] = {0, 0, 0};
-    static struct stage stage;
-
-    (void)state;
-    stage_open(&stage, at);
-    stage.lim.movers->instances = &stage.instance;
-    for (int sign = -1; sign <= 1; sign += 2) {
-        const int16_t whole[3][3] = {{0, 0, 0}, {0, 10, 0}, {(int16_t)(5 * sign), 10, 0}};
-        const int16_t cutter[3][3] = {{0, 1, 0}, {0, 1, 9}, {9, 1, 0}}; /* faces up */
-        set_init(&stage.object);
-        set_add(&stage.object, 1, 3, whole);
-        set_add(&stage.object, 2, 3, cutter);
-        for (int i = 0; i < POLYGONS; i++) {
-            const lim_index words = (lim_index)lim_record_words(stage.object.polygons[0]);
-            stage.lim.sorter->list[i] = (struct lim_sorted){.record = i == CUT ? words : 0, .next = LIM_NONE};
-            stage.lim.sorter->newell->polygons[i] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
-        }
-        stage.lim.sorter->newell->cuts[0] = (struct lim_cut){LIM_NONE, CUT};
-        stage.lim.sorter->newell->polygons[OF].cuts = 0;
-        lim_mover_forget_corners(stage.lim.movers);
-        assert_int_equal(lim_piece_sides_of(stage.lim.sorter, OF, &along_x), sign > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK);
-    }
-    stage_close(&stage);
-}
-
-/* The scene's limit and what cuts may add, of which a corner may bring two: one more than it has need be. */
-static void polygons_have_as_many_corners_as_cuts_may_add(void **state)
-{
-    static const struct lim_plane_unpacked along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
-    static const int16_t at[3] = {0, 0, 0};
-    static struct stage stage;
-
-    (void)state;
-    stage_open(&stage, at);
-    stage.lim.movers->instances = &stage.instance;
-    stage.lim.sorter->list[0] = (struct lim_sorted){.record = 0, .next = LIM_NONE};
-    stage.lim.sorter->newell->polygons[0] = (struct lim_newell_polygon){.cuts = LIM_NONE, .owner = 0};
-    for (uint16_t limit = 0; limit < 8; limit++)
-        for (int n = 3; n < LIM_CUT_VERTICES + 8; n++) {
-            struct lim_corners places[2];
-            stage.object.scene.limits.vertices = limit;
-            stage.object.polygons[0] = (lim_index)n;
-            for (int k = 0; k < n; k++) {
-                stage.object.vertices[k] = (struct lim_vertex){7, (int16_t)(k * k), (int16_t)k};
-                stage.object.polygons[LIM_POLYGON_HEAD_WORDS + k] = (lim_index)k;
-            }
-            lim_mover_forget_corners(stage.lim.movers);
-            const struct lim_corners *corners = lim_corners_cut(stage.lim.sorter, 0, &along_x, true, places);
-            assert_int_equal(corners != NULL, n < limit + LIM_CUT_VERTICES);
-            if (corners) assert_int_equal(corners->n, n);
-        }
-    stage_close(&stage);
-}
-
 /* Memory ------------------------------------------------------------------------------------- */
 
 static void memory_is_taken_to_its_end(void **state)
@@ -771,37 +524,28 @@ static void memory_is_taken_to_its_end(void **state)
     static struct stage stage;
 
     (void)state;
-    for (uint16_t entries = MOVERS; entries < 20; entries++) {
-        const struct lim_movers_limits limits = limits_of(entries);
+    for (uint16_t instances = 1; instances < 20; instances++) {
+        const struct lim_movers_limits more = {instances, 1, 0, 0};
         stage_open(&stage, at);
-        const size_t mem_b = lim_movers_mem_b(&stage.scene.scene, &limits);
+        const size_t mem_b = lim_movers_mem_b(&stage.scene.scene, &more);
         uint8_t *mem = calloc(1, mem_b);
         assert_non_null(mem);
-        assert_int_equal(lim_movers_init(&stage.lim, mem, mem_b - 1, &limits), LIM_ERR_MEMORY);
-        assert_int_equal(lim_movers_init(&stage.lim, mem, mem_b, &limits), LIM_OK);
-        const struct lim_sorter *sorter = stage.lim.sorter;
-        assert_int_equal(sorter->size, entries);
-        assert_int_equal(sorter->newell->cut_size, entries);
-        memset(stage.lim.movers->movers, 1, MOVERS * sizeof *stage.lim.movers->movers);
-        memset(sorter->list, 2, entries * sizeof *sorter->list);
-        memset(sorter->newell->polygons, 3, entries * sizeof *sorter->newell->polygons);
-        memset(stage.lim.movers->cache, 4, LIM_VIEW_CACHE_ENTRIES * sizeof *stage.lim.movers->cache);
-        memset(sorter->newell->cuts, 5, entries * sizeof *sorter->newell->cuts);
-        memset(stage.lim.movers->stack, 6, sizeof *stage.lim.movers->stack);
-        memset(stage.lim.movers->object_stack, 7, sizeof *stage.lim.movers->object_stack);
-        memset(*stage.lim.movers->copies, 8, MOVERS * sizeof **stage.lim.movers->copies);
-        size_t counts[9] = {0};
+        assert_int_equal(lim_movers_init(&stage.lim, mem, mem_b - 1, &more), LIM_ERR_MEMORY);
+        assert_int_equal(lim_movers_init(&stage.lim, mem, mem_b, &more), LIM_OK);
+        memset(stage.lim.movers->movers, 1, instances * sizeof *stage.lim.movers->movers);
+        memset(stage.lim.movers->cache, 2, LIM_VIEW_CACHE_ENTRIES * sizeof *stage.lim.movers->cache);
+        memset(stage.lim.movers->stack, 3, sizeof *stage.lim.movers->stack);
+        memset(stage.lim.movers->object_stack, 4, sizeof *stage.lim.movers->object_stack);
+        memset(*stage.lim.movers->copies, 5, instances * sizeof **stage.lim.movers->copies);
+        size_t counts[6] = {0};
         for (size_t k = 0; k < (size_t)((uint8_t *)(stage.lim.movers->object_stack + 1) - mem); k++)
             counts[mem[k]]++;
         assert_true((uint8_t *)(stage.lim.movers->object_stack + 1) <= mem + mem_b);
-        assert_int_equal(counts[1], MOVERS * sizeof *stage.lim.movers->movers);
-        assert_int_equal(counts[2], entries * sizeof *sorter->list);
-        assert_int_equal(counts[3], entries * sizeof *sorter->newell->polygons);
-        assert_int_equal(counts[4], LIM_VIEW_CACHE_ENTRIES * sizeof *stage.lim.movers->cache);
-        assert_int_equal(counts[5], entries * sizeof *sorter->newell->cuts);
-        assert_int_equal(counts[6], sizeof *stage.lim.movers->stack);
-        assert_int_equal(counts[7], sizeof *stage.lim.movers->object_stack);
-        assert_int_equal(counts[8], MOVERS * sizeof **stage.lim.movers->copies);
+        assert_int_equal(counts[1], instances * sizeof *stage.lim.movers->movers);
+        assert_int_equal(counts[2], LIM_VIEW_CACHE_ENTRIES * sizeof *stage.lim.movers->cache);
+        assert_int_equal(counts[3], sizeof *stage.lim.movers->stack);
+        assert_int_equal(counts[4], sizeof *stage.lim.movers->object_stack);
+        assert_int_equal(counts[5], instances * sizeof **stage.lim.movers->copies);
         free(mem);
         stage_close(&stage);
     }
@@ -820,10 +564,6 @@ int main(void)
         cmocka_unit_test(balls_hold_boxes_of_any_shape),
         cmocka_unit_test(balls_end_within_the_world),
         cmocka_unit_test(eyes_at_the_bounds_are_near_enough),
-        cmocka_unit_test(sides_within_an_object_are_its_own),
-        cmocka_unit_test(corners_are_added_where_the_plane_is_crossed),
-        cmocka_unit_test(sides_are_the_wholes_as_long_as_they_decide),
-        cmocka_unit_test(polygons_have_as_many_corners_as_cuts_may_add),
         cmocka_unit_test(memory_is_taken_to_its_end),
     };
 

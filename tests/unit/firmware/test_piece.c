@@ -364,6 +364,59 @@ static void corners_are_where_planes_cut(void **state)
     assert_true(cuts > ROUNDS / 8);
 }
 
+/* On either side of a plane, or on it: what crosses it has a corner there, on both sides. */
+static void corners_are_added_where_the_plane_is_crossed(void **state)
+{
+    enum { VALUES = 5, CASES = VALUES * VALUES * VALUES };
+    static const struct lim_plane_unpacked along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
+    static struct stage stage;
+    struct random random = {507};
+
+    (void)state;
+    stage_open(&stage, 1, &random);
+    stage.set.polygons[0] = (lim_index)((stage.set.polygons[0] & ~LIM_POLYGON_COUNT) | 3u);
+    for (int k = 0; k < CASES; k++)
+        for (int front = 0; front < 2; front++) {
+            const int x[3] = {k % VALUES - 2, k / VALUES % VALUES - 2, k / VALUES / VALUES - 2};
+            struct lim_corners places[2];
+            int expected = 0;
+            for (int i = 0; i < 3; i++) {
+                stage.set.vertices[i].x = (int16_t)x[i];
+                expected += (front ? x[i] >= 0 : x[i] <= 0) + (x[i] * x[(i + 1) % 3] < 0);
+            }
+            const struct lim_corners *corners = lim_corners_cut(stage.view.lim.sorter, 0, &along_x, front, places);
+            assert_int_equal(corners ? corners->n : 0, expected < 3 ? 0 : expected);
+            for (int i = 0; corners && i < expected; i++)
+                assert_true(front ? corners->at_q12[i][0] >= 0 : corners->at_q12[i][0] <= 0);
+        }
+    stage_close(&stage);
+}
+
+/* The scene's limit and what cuts may add, of which a corner may bring two: one more than it has need be. */
+static void polygons_have_as_many_corners_as_cuts_may_add(void **state)
+{
+    static const struct lim_plane_unpacked along_x = {.n = {1, 0, 0}, .slack = 1, .narrow = true, .axis = 0};
+    static struct stage stage;
+    struct random random = {508};
+
+    (void)state;
+    stage_open(&stage, 1, &random);
+    for (uint16_t limit = 0; limit < 8; limit++)
+        for (int n = 3; n < LIM_CUT_VERTICES + 8; n++) {
+            struct lim_corners places[2];
+            stage.set.scene.limits.vertices = limit;
+            stage.set.polygons[0] = (lim_index)n;
+            for (int k = 0; k < n; k++) {
+                stage.set.vertices[k] = (struct lim_vertex){7, (int16_t)(k * k), (int16_t)k};
+                stage.set.polygons[LIM_POLYGON_HEAD_WORDS + k] = (lim_index)k;
+            }
+            const struct lim_corners *corners = lim_corners_cut(stage.view.lim.sorter, 0, &along_x, true, places);
+            assert_int_equal(corners != NULL, n < limit + LIM_CUT_VERTICES);
+            if (corners) assert_int_equal(corners->n, n);
+        }
+    stage_close(&stage);
+}
+
 /* Whatever its corners say. */
 static void what_was_cut_to_a_side_is_on_it(void **state)
 {
@@ -417,6 +470,37 @@ static void sides_are_those_of_corners(void **state)
     }
     for (int sides = 0; sides < 4; sides++)
         assert_true(found[sides] > ROUNDS / 4);
+}
+
+/* What of it reaches 5 units before the plane x = 0 is cut off, and the rest lies on that: it is before the plane, as
+ * the whole is. */
+static void sides_are_the_wholes_as_long_as_they_decide(void **state)
+{
+    enum { OF, CUT, BY, POLYGONS };
+    static const int16_t by[3][3] = {{0, 0, -1200}, {0, 90, -1200}, {0, 0, -1100}};     /* faces along x */
+    static const int16_t cutter[3][3] = {{0, 1, -1200}, {0, 1, -1100}, {90, 1, -1200}}; /* faces up */
+    static struct stage stage;
+    const struct lim_camera camera = set_camera(false);
+
+    (void)state;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const int16_t whole[3][3] = {{0, 0, -1200}, {0, 10, -1200}, {(int16_t)(5 * sign), 10, -1200}};
+        set_init(&stage.set);
+        set_add(&stage.set, 1, 3, whole);
+        set_add(&stage.set, 2, 3, cutter);
+        set_add(&stage.set, 3, 3, by);
+        set_draw(&stage.set, LIM_NEWELL, NULL, ROOM, &camera, &stage.view);
+        struct lim_sorter *const sorter = stage.view.lim.sorter;
+        for (lim_index i = 0; i < POLYGONS; i++) {
+            const lim_index words = (lim_index)lim_record_words(stage.set.polygons[0]);
+            sorter->list[i] = (struct lim_sorted){.record = i * words, .next = LIM_NONE};
+            sorter->newell->polygons[i] = (struct lim_newell_polygon){.cuts = LIM_NONE};
+        }
+        sorter->newell->cuts[0] = (struct lim_cut){LIM_NONE, CUT};
+        sorter->newell->polygons[OF].cuts = 0;
+        assert_int_equal(lim_piece_sides(sorter, OF, BY), sign > 0 ? LIM_SIDE_FRONT : LIM_SIDE_BACK);
+        set_view_free(&stage.view);
+    }
 }
 
 static void a_split_takes_what_room_there_is_and_no_more(void **state)
@@ -523,8 +607,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pieces_have_the_pixels_on_their_side),
         cmocka_unit_test(corners_are_where_planes_cut),
+        cmocka_unit_test(corners_are_added_where_the_plane_is_crossed),
+        cmocka_unit_test(polygons_have_as_many_corners_as_cuts_may_add),
         cmocka_unit_test(what_was_cut_to_a_side_is_on_it),
         cmocka_unit_test(sides_are_those_of_corners),
+        cmocka_unit_test(sides_are_the_wholes_as_long_as_they_decide),
         cmocka_unit_test(a_split_takes_what_room_there_is_and_no_more),
         cmocka_unit_test(what_overlaps_on_the_screen_is_found),
     };

@@ -360,7 +360,7 @@ static void smooth_edges_are_drawn_nearest_first(void **state)
 static void what_moves_is_left_out_and_counted(void **state)
 {
     struct room_stage *stage = *state;
-    static const struct lim_movers_limits limits = {.instances = 1, .entries = 1, .depth = 1};
+    static const struct lim_movers_limits limits = {.instances = 1, .depth = 1};
     static _Alignas(8) uint8_t mem[1 << 15];
     const struct lim_instance instance = {.object = &stage->scene.scene};
     struct pair *pair = pair_new(&stage->scene.scene);

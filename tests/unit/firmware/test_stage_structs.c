@@ -5,6 +5,7 @@
 #include "compiler/compile_mesh.h"
 #include "eye.h"
 #include "limner.h"
+#include "movers/meet.h"
 #include "movers/mover.h"
 #include "orders/convex.h"
 #include "orders/nearest.h"
@@ -15,7 +16,6 @@
 #include "rigs/convex_rig.h"
 #include "rigs/plain_lines.h"
 #include "rigs/set_rig.h"
-#include "routes/mover_list.h"
 #include "view/cull.h"
 #include "view/pass.h"
 #include "view/view.h"
@@ -54,7 +54,6 @@ static void two_open(struct two *two, const struct lim_scene *scene, enum lim_me
     two->pass.scene = scene;
     two->pass.target = plain_lines_target(&two->lines[1], W_PX, H_PX, method);
     two->sorter.pass = &two->pass;
-    two->sorter.movers = &two->movers;
 }
 
 static void two_close(struct two *two)
@@ -78,8 +77,11 @@ static void assert_same(const struct two *two)
 
 static void draw_nearest(struct two *two, const struct closed_stage *stage, struct random *random)
 {
-    struct lim_nearest nearest = {
-        .pass = &two->pass, .sorter = {&two->sorter}, .leaf = {&two->leaf}, .paint.pass = &two->pass};
+    struct lim_nearest nearest = {.pass = &two->pass,
+                                  .sorter = {&two->sorter},
+                                  .movers = {&two->movers},
+                                  .leaf = {&two->leaf},
+                                  .paint = {.pass = &two->pass, .actives.movers = {&two->movers}}};
 
     lim_nearest_init(&nearest, two->mem[1], two->mem_b);
     for (int i = 0; i < FRAMES; i++) {
@@ -207,15 +209,16 @@ static void a_list_is_sorted_with_its_own_struct(void **state)
     two_close(&two);
 }
 
-/* An object before the camera and one behind it: the list of those in view has one. */
-static void movers_are_listed_with_their_own_structs(void **state)
+/* An object before the camera and one behind it: one is in view, asked about the only run, and drawn behind that. */
+static void movers_are_met_with_their_own_structs(void **state)
 {
     static const int16_t corners[4][3] = {{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}};
     static struct set nothing, object;
     static struct two two;
     struct lim_mover posed[2];
-    struct lim_sorted list[4];
-    struct lim_newell_polygon polygons[4];
+    struct lim_route_pending stack[1];
+    struct lim_route route;
+    lim_index what;
     struct lim_view_cached cache[LIM_VIEW_CACHE_ENTRIES];
     struct lim_instance instances[2] = {{.object = &object.scene}, {.object = &object.scene}};
     const struct lim_camera camera = set_camera(false);
@@ -239,18 +242,23 @@ static void movers_are_listed_with_their_own_structs(void **state)
                                      .most_corners = LIM_MAX_VERTICES,
                                      .object_depth = 1,
                                      .movers = posed,
-                                     .cache = cache};
-    two.sorter.list = list;
-    two.sorter.newell->polygons = polygons;
-    two.sorter.size = 4;
+                                     .cache = cache,
+                                     .stack = stack};
     lim_movers_pose(&two.movers, &two.pass, &camera);
     assert_int_equal(two.pass.stats->movers.left_out, 0);
     const struct lim_rect screen = {0, 0, W_PX, H_PX};
     lim_cull_set(lim_cull_of(&two.pass), &two.pass.view, lim_eye_of(&two.pass)->at_q8, &screen);
-    const uint16_t first = lim_movers_list(&two.sorter, lim_cull_of(&two.pass));
-    assert_int_not_equal(first, LIM_NONE);
-    assert_int_equal(polygons[first].owner, 1);
-    assert_int_equal(list[first].next, LIM_NONE);
+    lim_meet_begin(&route, &two.pass, &two.movers, lim_cull_of(&two.pass));
+    assert_int_equal(two.pass.stats->movers.hidden, 1);
+    assert_int_equal(route.list, 1);
+    assert_int_equal(posed[1].next, LIM_NONE);
+    assert_false(lim_meet_asks(&route));
+    assert_int_equal(lim_meet_next(&route, &what), LIM_MEET_RUN);
+    assert_int_equal(what, 0);
+    assert_true(lim_meet_asks(&route));
+    assert_int_equal(lim_meet_next(&route, &what), LIM_MEET_MOVER);
+    assert_int_equal(what, 1);
+    assert_int_equal(lim_meet_next(&route, &what), LIM_MEET_END);
     two_close(&two);
 }
 
@@ -260,7 +268,7 @@ int main(void)
         cmocka_unit_test(orders_draw_with_their_own_structs),
         cmocka_unit_test(a_solid_is_drawn_with_its_own_struct),
         cmocka_unit_test(a_list_is_sorted_with_its_own_struct),
-        cmocka_unit_test(movers_are_listed_with_their_own_structs),
+        cmocka_unit_test(movers_are_met_with_their_own_structs),
     };
     return cmocka_run_group_tests_name("stage_structs", tests, NULL, NULL);
 }

@@ -124,7 +124,7 @@ static struct frame frame_of(struct stage *stage)
 
     for (unsigned i = 0; i < 2; i++) {
         struct lim_instance *instance = &frame.instances[i];
-        *instance = (struct lim_instance){.object = &stage->in.scene.scene, .finer_bits = 3, .by_centre = i == 1};
+        *instance = (struct lim_instance){.object = &stage->in.scene.scene, .finer_bits = 3};
         lim_instance_turn(instance, (uint32_t)random_u64(&stage->random), (uint32_t)random_u64(&stage->random), 0);
         for (unsigned k = 0; k < 3; k++)
             instance->at_q8[k] = (int32_t)(frame.camera.eye_q8[k] + random_in(&stage->random, -1000000, 1000000));
@@ -292,7 +292,7 @@ static void so_they_are_as_outlines(void **state)
 static void set_movers(struct stage *stage)
 {
     const struct lim_scene *scene = &stage->in.scene.scene;
-    const struct lim_movers_limits limits = {.instances = 2, .depth = scene->limits.depth, .entries = 400};
+    const struct lim_movers_limits limits = {.instances = 2, .depth = scene->limits.depth};
     const size_t mem_b = lim_movers_mem_b(scene, &limits);
 
     stage->with_movers = true;

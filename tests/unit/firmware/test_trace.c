@@ -150,7 +150,7 @@ static void list_pieces(struct lim *lim)
         const lim_index record = i == CUTTER ? 0 : (lim_index)lim_record_words(lim->pass.scene->polygons[0]);
         const uint16_t cut = i == WHOLE ? 0 : i == BEHIND ? 1 : LIM_NONE;
         sorter->list[i] = (struct lim_sorted){.record = record, .next = LIM_NONE};
-        newell->polygons[i] = (struct lim_newell_polygon){.cuts = cut, .owner = LIM_NONE};
+        newell->polygons[i] = (struct lim_newell_polygon){.cuts = cut};
     }
     newell->cuts[0] = (struct lim_cut){LIM_NONE, CUTTER | LIM_CUT_FRONT};
     newell->cuts[1] = (struct lim_cut){LIM_NONE, CUTTER};

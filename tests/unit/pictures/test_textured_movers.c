@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What moves shows textures. An object that is moved by whole units is drawn as it is when it stands alone and the eye
- * is moved the other way: the same pixels. One that is turned, behind doorways and cut by planes, is compared with rays
- * in double precision, texel by texel. In all profiles, nearest first, by scan lines and by the painter. */
+ * is moved the other way: the same pixels. One that is turned, behind doorways and through planes, is compared with
+ * rays in double precision, texel by texel. In all profiles, nearest first and by scan lines. */
 #include "base/grow.h"
 #include "core/core.h"
 #include "model/pose.h"
@@ -83,7 +83,7 @@ static void look(const struct mover_rig *rig, const double eye_m[3], const doubl
     if (!camera_path_to_camera(&path, 0, &LENS, &rig->scene.grid, out, &err)) fail_msg("%s", err.text);
 }
 
-static const enum lim_method METHODS[] = {LIM_NEAREST_FIRST, LIM_SCANLINE, LIM_PAINTER};
+static const enum lim_method METHODS[] = {LIM_NEAREST_FIRST, LIM_SCANLINE};
 enum { METHOD_COUNT = sizeof METHODS / sizeof *METHODS };
 
 /* Coordinates of *rig are as they are to be; all else of it begins. */
@@ -95,7 +95,7 @@ static void compile(struct mover_rig *rig, bool doorway, const struct model_pose
     mover_rig_add_rooms(rig, doorway);
     mover_rig_add_box(rig, BOX_M, BOX_M, BOX_M, pose);
     add_texture(&rig->model, look);
-    mover_rig_compile(rig, MOVING_CLIPPED, method, core);
+    mover_rig_compile(rig, method, core);
     assert_non_null(rig->moving.objects[0].words);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Objects that move where nothing else is: each is seen as its records say, in both orders of the tree; those whose
- * extents in depth do not overlap are painted one after the other, and others polygon by polygon. */
+ * Objects that move where nothing else is: each is seen as its records say, nearest first and by scan lines; those one
+ * behind the other are drawn one after the other, and those whose boxes overlap are compared line by line. */
 #include "colour.h"
 #include "limner.h"
 #include "rigs/cmocka_ready.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OBJECTS = 3, ENTRIES = 60 };
+enum { OBJECTS = 3 };
 
 /* A scene without a node, and what draws objects in it. */
 struct stage {
@@ -24,7 +24,7 @@ struct stage {
     uint16_t pixels[SET_SIDE_PX][SET_SIDE_PX];
 };
 
-static const enum lim_method orders[] = {LIM_NEAREST_FIRST, LIM_PAINTER};
+static const enum lim_method orders[] = {LIM_NEAREST_FIRST, LIM_SCANLINE};
 enum { ORDERS = sizeof orders / sizeof *orders };
 
 static void stage_init(struct stage *stage)
@@ -42,7 +42,7 @@ static void stage_init(struct stage *stage)
 
 static const struct lim_stats *draw(struct stage *stage, enum lim_method method, uint16_t count)
 {
-    const struct lim_movers_limits limits = {OBJECTS, 1, ENTRIES, 0, 0};
+    const struct lim_movers_limits limits = {OBJECTS, 1, 0, 0};
     const struct lim_target target = plain_lines_target(&stage->lines, SET_SIDE_PX, SET_SIDE_PX, method);
     const struct lim_camera camera = set_camera(false);
     const size_t mem_b = lim_mem_b(&stage->nothing.scene, &target);
@@ -88,8 +88,7 @@ static uint16_t pixel_at(const struct stage *stage, int x, int y)
     return lim_memory_colour(stage->pixels[y][x]);
 }
 
-/* Three squares, nearest first, each larger than the one before: one run of records, drawn from its end by the
- * painter. */
+/* Some squares, nearest first, each larger than the one before: one run of records. */
 static void all_records_of_a_run_are_seen(void **state)
 {
     static struct stage stage;
@@ -102,7 +101,7 @@ static void all_records_of_a_run_are_seen(void **state)
                 add_square(&stage.objects[0], (uint16_t)k, 32 - 6 * k, 32 - 5 * k, 32 + 4 * k, 32 + 3 * k,
                            640 + 64 * k);
             const struct lim_stats *stats = draw(&stage, orders[i], 1);
-            assert_int_equal(stats->movers.divided, 0);
+            assert_int_equal(stats->movers.crowded, 0);
             for (int y = 0; y < SET_SIDE_PX; y++)
                 for (int x = 0; x < SET_SIDE_PX; x++) {
                     int nearest = 0;
@@ -125,8 +124,8 @@ static void add_thing(struct set *set, uint16_t colour, int16_t half)
         set_add(set, colour, 4, faces[i]);
 }
 
-/* Two things, one behind the other, their boxes `gap_q8` apart. */
-static uint32_t divided(struct stage *stage, enum lim_method method, int32_t gap_q8, bool swapped)
+/* Two things, one behind the other, their boxes `gap_q8` apart: how many are compared. */
+static uint32_t crowded(struct stage *stage, enum lim_method method, int32_t gap_q8, bool swapped)
 {
     stage_init(stage);
     for (int i = 0; i < 2; i++)
@@ -143,14 +142,13 @@ static uint32_t divided(struct stage *stage, enum lim_method method, int32_t gap
         stage->instances[1] = first;
     }
     const struct lim_stats *stats = draw(stage, method, 2);
-    assert_int_equal(stats->movers.forced, 0);
     assert_int_equal(pixel_at(stage, 32, 32), 1);
-    const uint32_t count = stats->movers.divided;
+    const uint32_t count = stats->movers.crowded;
     stage_free(stage);
     return count;
 }
 
-static void those_one_behind_the_other_stay_whole(void **state)
+static void those_one_behind_the_other_are_not_compared(void **state)
 {
     static struct stage stage;
 
@@ -158,38 +156,10 @@ static void those_one_behind_the_other_stay_whole(void **state)
     for (int i = 0; i < ORDERS * 2; i++) {
         const enum lim_method method = orders[i / 2];
         for (int32_t gap_q8 = 1; gap_q8 < 1 << 16; gap_q8 *= 4)
-            assert_int_equal(divided(&stage, method, gap_q8, i & 1), 0);
+            assert_int_equal(crowded(&stage, method, gap_q8, i & 1), 0);
         for (int32_t gap_q8 = 1; gap_q8 < 1 << 15; gap_q8 *= 4)
-            assert_int_equal(divided(&stage, method, -gap_q8, i & 1), 2);
-        assert_int_equal(divided(&stage, method, 0, i & 1), 0);
-    }
-}
-
-/* Those that enter by their centres are points: in the order of these, however large they are. */
-static void by_their_centres_they_are_in_order_of_them(void **state)
-{
-    static struct stage stage;
-    static const int depths[][OBJECTS] = {{900, 950, 1000}, {1000, 900, 950}, {950, 1000, 900}};
-
-    (void)state;
-    for (int k = 0; k < 3 * ORDERS; k++) {
-        stage_init(&stage);
-        for (int i = 0; i < OBJECTS; i++) {
-            add_thing(&stage.objects[i], (uint16_t)(depths[k / ORDERS][i]),
-                      (int16_t)(300 - depths[k / ORDERS][i] / 10));
-            stage.instances[i].by_centre = true;
-            stage.instances[i].at_q8[2] = -256 * depths[k / ORDERS][i];
-        }
-        const struct lim_stats *stats = draw(&stage, orders[k % ORDERS], OBJECTS);
-        assert_int_equal(stats->movers.divided, 0);
-        assert_int_equal(stats->movers.forced, 0);
-        assert_int_equal(pixel_at(&stage, 32, 32), 900);
-        for (int i = 0; i < OBJECTS; i++)
-            stage.instances[i].at_q8[2] = -256 * 1000; /* all as far */
-        stats = draw(&stage, orders[k % ORDERS], OBJECTS);
-        assert_int_equal(stats->movers.divided, 0);
-        assert_int_equal(stats->movers.forced, 0);
-        stage_free(&stage);
+            assert_int_equal(crowded(&stage, method, -gap_q8, i & 1), 2);
+        assert_int_equal(crowded(&stage, method, 0, i & 1), 0);
     }
 }
 
@@ -243,9 +213,8 @@ int main(void)
         cmocka_unit_test(all_records_of_a_run_are_seen),
         cmocka_unit_test(where_nothing_else_is_they_are_seen),
         cmocka_unit_test(what_is_left_out_is_not_seen),
-        cmocka_unit_test(those_one_behind_the_other_stay_whole),
-        cmocka_unit_test(by_their_centres_they_are_in_order_of_them),
+        cmocka_unit_test(those_one_behind_the_other_are_not_compared),
     };
 
-    return cmocka_run_group_tests_name("company", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("mover_alone", tests, NULL, NULL);
 }

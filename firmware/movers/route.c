@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * As WALK, but a node waits on the stack instead of its run: what comes is told with its node and the eye's side. */
-#include "routes/route.h"
+#include "movers/route.h"
 
 #include "eye.h"
 #include "movers/mover.h"
@@ -12,24 +12,17 @@
 
 #if LIM_HAS_MOVERS
 
-void lim_route_begin(struct lim_route *route, uint16_t list)
-{
-    route->depth = 0;
-    route->next = route->scene->node_count ? 0 : LIM_NO_INDEX;
-    route->list = list;
-}
-
 /* The node to enter, or NULL: nothing of it can be seen. */
 const LIM_FLASH struct lim_node *lim_route_node_to_enter(struct lim_route *route)
 {
     const LIM_FLASH struct lim_node *node = &route->scene->nodes[route->next];
 
     if (lim_node_is_skipped(route->scene, node, route->shown, route->eye, route->cull, route->depth,
-                            lim_stats_of(route->sorter->pass))) {
+                            lim_stats_of(route->pass))) {
         route->next = LIM_NO_INDEX;
         return NULL;
     }
-    if (LIM_HAS_STATS) lim_stats_of(route->sorter->pass)->nodes++;
+    if (LIM_HAS_STATS) lim_stats_of(route->pass)->nodes++;
     LIM_DEBUG_ASSERT(route->depth < route->scene->limits.depth);
     return node;
 }
@@ -39,43 +32,23 @@ int32_t lim_route_side(const struct lim_route *route, const LIM_FLASH struct lim
     return lim_eye_side(route->eye, &node->split);
 }
 
-void lim_route_go_near(struct lim_route *route, const LIM_FLASH struct lim_node *node, int32_t side, uint16_t front,
-                       uint16_t back)
-{
-    const bool front_first = (side > 0) != route->back_to_front;
-
-    route->stack[route->depth++] =
-        (struct lim_route_pending){route->next, front_first ? back : front, (int8_t)((side > 0) - (side < 0))};
-    route->list = front_first ? front : back;
-    route->next = front_first ? node->front : node->back;
-}
-
-/* A leaf's run comes when it is left. */
-void lim_route_go_through_leaf(struct lim_route *route, uint16_t list)
-{
-    route->stack[route->depth++] = (struct lim_route_pending){route->next, list, 1};
-    route->next = LIM_NO_INDEX;
-}
-
 /* WALK's loop, with locals for what it changes. Objects are mostly chains of nodes with one child: nothing has to wait
  * where there is nothing before a run, and nothing where none comes and nothing after it. */
-lim_index lim_route_next_alone(struct lim_route *route)
+lim_index lim_route_next(struct lim_route *route)
 {
     const struct lim_scene *const scene = route->scene;
     const LIM_FLASH struct lim_node *const nodes = scene->nodes;
     const struct lim_eye *const eye = route->eye;
-    const bool back_to_front = route->back_to_front;
-    struct lim_stats *const stats = lim_stats_of(route->sorter->pass);
+    struct lim_stats *const stats = lim_stats_of(route->pass);
     lim_index next = route->next, run = LIM_NO_INDEX;
-    uint16_t depth = route->depth, list = LIM_NONE;
+    uint16_t depth = route->depth;
 
-    while (run == LIM_NO_INDEX && list == LIM_NONE) {
+    while (run == LIM_NO_INDEX) {
         if (next == LIM_NO_INDEX) {
             if (!depth) break;
             const struct lim_route_pending *top = &route->stack[--depth];
             const LIM_FLASH struct lim_node *node = &nodes[top->node];
-            next = (top->side > 0) != back_to_front ? node->back : node->front;
-            list = top->list;
+            next = top->side > 0 ? node->back : node->front;
             run = top->side > 0 ? node->front_run : top->side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
             route->node = top->node;
             route->side = top->side;
@@ -93,8 +66,7 @@ lim_index lim_route_next_alone(struct lim_route *route)
             continue;
         }
         const int32_t side = lim_eye_side(eye, &node->split);
-        const bool front_first = (side > 0) != back_to_front;
-        const lim_index near = front_first ? node->front : node->back, far = front_first ? node->back : node->front;
+        const lim_index near = side > 0 ? node->front : node->back, far = side > 0 ? node->back : node->front;
         const lim_index own = side > 0 ? node->front_run : side < 0 ? node->back_run : (lim_index)LIM_NO_INDEX;
         if (near == LIM_NO_INDEX) {
             next = far;
@@ -106,40 +78,38 @@ lim_index lim_route_next_alone(struct lim_route *route)
         next = near;
         if (far == LIM_NO_INDEX && own == LIM_NO_INDEX) continue;
         LIM_DEBUG_ASSERT(depth < scene->limits.depth);
-        route->stack[depth++] = (struct lim_route_pending){self, LIM_NONE, (int8_t)((side > 0) - (side < 0))};
+        route->stack[depth++] = (struct lim_route_pending){self, 0, (int8_t)((side > 0) - (side < 0))};
     }
     route->next = next;
     route->depth = depth;
-    route->list = list;
     return run;
 }
 
 /* Whether an object that the whole screen shows has no box but that of all: what has come here is in view. */
-static bool is_all_in_view(const struct lim_sorter *sorter, const struct lim_scene *object, const struct lim_rect *open)
+static bool is_all_in_view(const struct lim_pass *pass, const struct lim_scene *object, const struct lim_rect *open)
 {
-    const struct lim_target *target = &sorter->pass->target;
+    const struct lim_target *target = &pass->target;
 
     return object->box_count <= 1 && !open->x0 && !open->y0 && open->x1 == target->w_px && open->y1 == target->h_px;
 }
 
 /* Each field for itself: an initialiser would be a call of memset(). */
-void lim_route_object(struct lim_route *route, struct lim_sorter *sorter, uint16_t mover, const struct lim_rect *open,
-                      bool back_to_front)
+void lim_route_object(struct lim_route *route, struct lim_pass *pass, struct lim_movers *movers, uint16_t mover,
+                      const struct lim_rect *open)
 {
-    struct lim_movers *movers = sorter->movers;
     const struct lim_mover *self = &movers->movers[mover];
 
-    route->sorter = sorter;
+    route->pass = pass;
     route->scene = movers->instances[mover].object;
-    route->mover = mover;
     route->eye = &self->eye;
     route->cull = movers->cull;
     route->shown = NULL;
     route->stack = movers->object_stack;
     route->node = LIM_NO_INDEX;
     route->side = 0;
-    route->back_to_front = back_to_front;
-    if (LIM_HAS_CULL && is_all_in_view(sorter, route->scene, open)) {
+    route->depth = 0;
+    route->next = 0;
+    if (LIM_HAS_CULL && is_all_in_view(pass, route->scene, open)) {
         movers->cull->inside_depth = 0;
     } else if (LIM_HAS_CULL && LIM_HAS_FAR_MOVERS && lim_movers_are_far(movers)) {
         (void)lim_mover_view(movers, mover); /* sets its rows */
@@ -147,7 +117,6 @@ void lim_route_object(struct lim_route *route, struct lim_sorter *sorter, uint16
     } else if (LIM_HAS_CULL) {
         lim_cull_set(movers->cull, lim_mover_view(movers, mover), self->eye.at_q8, open);
     }
-    lim_route_begin(route, LIM_NONE);
 }
 
 #endif
