@@ -19,7 +19,7 @@ struct division {
     uint32_t rate;      /* SCR + 1 */
 };
 
-static uint32_t mover_split_up(uint32_t a, uint32_t b)
+static uint32_t divide_up(uint32_t a, uint32_t b)
 {
     return a / b + (a % b != 0);
 }
@@ -28,11 +28,11 @@ static uint32_t mover_split_up(uint32_t a, uint32_t b)
 static bool choose_division(struct division *best, const struct pl022_config *config)
 {
     if (!config->spi_hz) return false;
-    const uint32_t least = mover_split_up(config->clock_hz, config->spi_hz);
+    const uint32_t least = divide_up(config->clock_hz, config->spi_hz);
 
     *best = (struct division){0, 0};
     for (uint32_t prescaler = CPSDVSR_MIN; prescaler <= CPSDVSR_MAX; prescaler += 2) {
-        const uint32_t rate = least > prescaler ? mover_split_up(least, prescaler) : 1;
+        const uint32_t rate = least > prescaler ? divide_up(least, prescaler) : 1;
         if (rate > SCR_MAX + 1) continue;
         if (!best->rate || prescaler * rate < best->prescaler * best->rate) *best = (struct division){prescaler, rate};
     }

@@ -28,7 +28,7 @@ enum {
     ACR_DCEN = 1 << 10,
 };
 
-static void mover_split_buses(struct stm32f4_rcc *rcc, uint32_t dividers)
+static void divide_buses(struct stm32f4_rcc *rcc, uint32_t dividers)
 {
     rcc->cfgr = (rcc->cfgr & ~(uint32_t)(CFGR_HPRE | CFGR_PPRE1 | CFGR_PPRE2)) | dividers;
 }
@@ -36,7 +36,7 @@ static void mover_split_buses(struct stm32f4_rcc *rcc, uint32_t dividers)
 static void reset(struct stm32f4_rcc *rcc)
 {
     stm32_clock_reset(&rcc->cr, &rcc->cfgr);
-    mover_split_buses(rcc, 0);
+    divide_buses(rcc, 0);
 }
 
 /* Wait states first: flash would not keep up. */
@@ -48,7 +48,7 @@ static bool run_by_pll(struct stm32f4_rcc *rcc, volatile uint32_t *flash_acr, ui
     if (!stm32_clock_start(&rcc->cr, STM32_PLL_ON)) return false;
     *flash_acr = ACR_LATENCY_5 | ACR_PRFTEN | ACR_ICEN | ACR_DCEN;
     if ((*flash_acr & ACR_LATENCY) != ACR_LATENCY_5) return false;
-    mover_split_buses(rcc, CFGR_PPRE1_4 | CFGR_PPRE2_2);
+    divide_buses(rcc, CFGR_PPRE1_4 | CFGR_PPRE2_2);
     return stm32_clock_select(&rcc->cfgr, STM32_BY_PLL);
 }
 

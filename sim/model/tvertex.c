@@ -89,7 +89,7 @@ static void reverse(uint32_t *items, size_t count)
     }
 }
 
-static void mover_split_edge(struct inserting *inserting, uint32_t a, uint32_t b)
+static void split_edge(struct inserting *inserting, uint32_t a, uint32_t b)
 {
     add_to_loop(inserting, a);
     size_t first = inserting->loop_count;
@@ -121,7 +121,7 @@ static void insert_into(struct inserting *inserting, const struct mesh_polygon *
     const uint32_t *corners = &inserting->mesh->corners[polygon->first];
     inserting->loop_count = 0;
     for (uint32_t k = 0; k < polygon->count; k++)
-        mover_split_edge(inserting, corners[k], corners[(k + 1) % polygon->count]);
+        split_edge(inserting, corners[k], corners[(k + 1) % polygon->count]);
     inserting->mesh->counts.t_vertices += inserting->loop_count - polygon->count;
     size_t count = drop_needle_tips(inserting->loop, inserting->loop_count);
     if (count >= 3) polygon_list_add(list, inserting->loop, count, polygon);
