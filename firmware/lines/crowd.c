@@ -35,7 +35,7 @@ static const union lim_retained_cell *crowd_cells(const struct crowd *crowd, con
 /* Of a line; the plane is known. */
 static inline void set_near_row(const struct crowd *crowd, struct lim_near *near)
 {
-    near->row_q30 = near->plane.at_q30 + near->plane.y_q30 * (uint32_t)crowd->y;
+    near->row_q30 = lim_near_row_of(&near->plane, crowd->y).at_q30;
 }
 
 static LIM_RARE void make_plane(const struct crowd *crowd, struct lim_active *active)

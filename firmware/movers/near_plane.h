@@ -21,12 +21,6 @@ void lim_still_plane(struct lim_plane_unpacked *plane, const struct lim_pass *pa
 void lim_near_plane_set(struct lim_near_plane *out, const struct lim_movers *movers, const struct lim_pass *pass,
                         const struct lim_met_polygon *polygon);
 
-/* At the centre of a pixel: the nearest a polygon can be is 2^30. */
-static inline lim_near_word lim_near_q30(const struct lim_near_plane *plane, int32_t x_px, int32_t y_px)
-{
-    return plane->at_q30 + plane->x_q30 * (uint32_t)x_px + plane->y_q30 * (uint32_t)y_px;
-}
-
 /* What differs by less than 2^-this of its depth, all along what two runs share, is as near. */
 enum { LIM_NEAR_TIE_BITS = LIM_HAS_FRACTIONS ? 18 : 13, LIM_NEAR_TIE_MOST = INT32_C(1) << (30 - LIM_NEAR_TIE_BITS) };
 
@@ -36,10 +30,16 @@ static inline lim_near_word lim_near_size(lim_near_difference difference)
     return difference < 0 ? 0 - (lim_near_word)difference : (lim_near_word)difference;
 }
 
-/* A plane along a line of the screen, from its first pixel on. */
+/* A plane along a line of the screen: at the centre of its first pixel, and what a step adds. The nearest a polygon can
+ * be is 2^30. */
 struct lim_near_row {
     lim_near_word at_q30, x_q30;
 };
+
+static inline struct lim_near_row lim_near_row_of(const struct lim_near_plane *plane, int32_t y_px)
+{
+    return (struct lim_near_row){plane->at_q30 + plane->y_q30 * (uint32_t)y_px, plane->x_q30};
+}
 
 /* Pixels x0 <= x < x1. */
 struct lim_near_share {

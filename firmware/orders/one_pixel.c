@@ -46,7 +46,7 @@ static struct lim_near_row pixel_row_of(const struct lim_nearest *nearest, const
     struct lim_near_plane plane;
 
     lim_near_plane_set(&plane, *nearest->movers, nearest->pass, &polygon->met);
-    return (struct lim_near_row){plane.at_q30 + plane.y_q30 * nearest->top, plane.x_q30};
+    return lim_near_row_of(&plane, nearest->top);
 }
 
 /* As runs are compared on whole lines. */

@@ -5,6 +5,7 @@
 #include "colour.h"
 #include "limner.h"
 #include "rigs/cmocka_ready.h"
+#include "rigs/moving_mem.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random.h"
 #include "rigs/set_rig.h"
@@ -19,7 +20,7 @@ struct stage {
     struct set nothing, objects[OBJECTS];
     struct lim_instance instances[OBJECTS];
     struct lim lim;
-    void *mem, *mover_mem;
+    struct moving_mem mem;
     struct plain_lines lines;
     uint16_t pixels[SET_SIDE_PX][SET_SIDE_PX];
 };
@@ -45,18 +46,11 @@ static const struct lim_stats *draw(struct stage *stage, enum lim_method method,
     const struct lim_movers_limits limits = {OBJECTS, 1, 0, 0};
     const struct lim_target target = plain_lines_target(&stage->lines, SET_SIDE_PX, SET_SIDE_PX, method);
     const struct lim_camera camera = set_camera(false);
-    const size_t mem_b = lim_mem_b(&stage->nothing.scene, &target);
-    const size_t mover_mem_b = lim_movers_mem_b(&stage->nothing.scene, &limits);
 
     stage->lines = (struct plain_lines){stage->pixels[0], SET_SIDE_PX};
-    free(stage->mem);
-    free(stage->mover_mem);
-    stage->mem = malloc(mem_b);
-    stage->mover_mem = malloc(mover_mem_b);
-    assert_true(stage->mem && stage->mover_mem);
+    moving_mem_free(&stage->mem);
     memset(stage->pixels, 0xA5, sizeof stage->pixels);
-    assert_int_equal(lim_init(&stage->lim, &stage->nothing.scene, &target, stage->mem, mem_b), LIM_OK);
-    assert_int_equal(lim_movers_init(&stage->lim, stage->mover_mem, mover_mem_b, &limits), LIM_OK);
+    moving_mem_init(&stage->mem, &stage->lim, &stage->nothing.scene, &target, &limits);
     assert_int_equal(lim_movers_frame(&stage->lim, &camera, stage->instances, count), LIM_OK);
     const struct lim_stats *stats = lim_stats(&stage->lim);
     assert_int_equal(stats->movers.left_out, 0);
@@ -65,8 +59,7 @@ static const struct lim_stats *draw(struct stage *stage, enum lim_method method,
 
 static void stage_free(struct stage *stage)
 {
-    free(stage->mem);
-    free(stage->mover_mem);
+    moving_mem_free(&stage->mem);
 }
 
 /* A square across the way that the eye looks, of pixels x0 <= x < x1 and y alike, that depth ahead. */

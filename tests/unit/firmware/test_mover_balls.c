@@ -9,6 +9,7 @@
 #include "limner.h"
 #include "movers/mover.h"
 #include "rigs/cmocka_ready.h"
+#include "rigs/moving_mem.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random_camera.h"
 #include "rigs/set_rig.h"
@@ -169,7 +170,7 @@ struct pair {
     struct lim lim;
     struct plain_lines lines;
     uint16_t line[SIDE_PX];
-    void *mem, *mover_mem;
+    struct moving_mem mem;
 };
 
 static void pair_open(struct pair *pair)
@@ -188,19 +189,12 @@ static void pair_open(struct pair *pair)
         pair->instances[i].object = &pair->objects[i].scene;
     }
     const struct lim_target target = plain_lines_target(&pair->lines, SIDE_PX, SIDE_PX, LIM_NEAREST_FIRST);
-    const size_t mem_b = lim_mem_b(&pair->nothing.scene, &target);
-    const size_t mover_mem_b = lim_movers_mem_b(&pair->nothing.scene, &limits);
-    pair->mem = malloc(mem_b);
-    pair->mover_mem = malloc(mover_mem_b);
-    assert_true(pair->mem && pair->mover_mem);
-    assert_int_equal(lim_init(&pair->lim, &pair->nothing.scene, &target, pair->mem, mem_b), LIM_OK);
-    assert_int_equal(lim_movers_init(&pair->lim, pair->mover_mem, mover_mem_b, &limits), LIM_OK);
+    moving_mem_init(&pair->mem, &pair->lim, &pair->nothing.scene, &target, &limits);
 }
 
 static void pair_close(struct pair *pair)
 {
-    free(pair->mem);
-    free(pair->mover_mem);
+    moving_mem_free(&pair->mem);
 }
 
 /* Long, flat, or as high as wide. */

@@ -6,6 +6,7 @@
 #include "math/orientation.h"
 #include "movers/mover.h"
 #include "rigs/cmocka_ready.h"
+#include "rigs/moving_mem.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random_camera.h"
 #include "rigs/set_rig.h"
@@ -25,7 +26,7 @@ struct stage {
     struct lim lim;
     struct plain_lines lines;
     uint16_t line[SIDE_PX];
-    void *mem, *mover_mem;
+    struct moving_mem mem;
 };
 
 static void add_triangles(struct set *set, const int16_t at[3])
@@ -50,7 +51,7 @@ static const struct lim_movers_limits limits = {MOVERS, 1, 0, 0};
 static void stage_lend(struct stage *stage)
 {
     assert_int_equal(
-        lim_movers_init(&stage->lim, stage->mover_mem, lim_movers_mem_b(&stage->scene.scene, &limits), &limits),
+        lim_movers_init(&stage->lim, stage->mem.movers, lim_movers_mem_b(&stage->scene.scene, &limits), &limits),
         LIM_OK);
     stage->lim.movers->instances = &stage->instance;
 }
@@ -64,21 +65,14 @@ static void stage_open(struct stage *stage, const int16_t at[3])
     add_triangles(&stage->object, at);
     stage->lines.pixels = stage->line;
     const struct lim_target target = plain_lines_target(&stage->lines, SIDE_PX, SIDE_PX, LIM_NEAREST_FIRST);
-    const size_t mem_b = lim_mem_b(&stage->scene.scene, &target);
-    const size_t mover_mem_b = lim_movers_mem_b(&stage->scene.scene, &limits);
-    stage->mem = malloc(mem_b);
-    stage->mover_mem = malloc(mover_mem_b);
-    assert_true(stage->mem && stage->mover_mem);
-    assert_int_equal(lim_init(&stage->lim, &stage->scene.scene, &target, stage->mem, mem_b), LIM_OK);
-    assert_int_equal(lim_movers_init(&stage->lim, stage->mover_mem, mover_mem_b, &limits), LIM_OK);
+    moving_mem_init(&stage->mem, &stage->lim, &stage->scene.scene, &target, &limits);
     stage->instance.object = &stage->object.scene;
     lim_instance_turn(&stage->instance, 0, 0, 0);
 }
 
 static void stage_close(struct stage *stage)
 {
-    free(stage->mem);
-    free(stage->mover_mem);
+    moving_mem_free(&stage->mem);
 }
 
 /* What a frame does before it draws. Whether the instance is in it. */

@@ -16,6 +16,7 @@
 #include "movers/near_plane.h"
 #include "rigs/camera_axes.h"
 #include "rigs/cmocka_ready.h"
+#include "rigs/moving_mem.h"
 #include "rigs/plain_lines.h"
 #include "rigs/random_camera.h"
 #include "rigs/set_rig.h"
@@ -33,7 +34,7 @@ struct stage {
     struct lim lim;
     struct plain_lines lines;
     uint16_t line[LIM_MAX_SIDE_PX];
-    void *mem, *mover_mem;
+    struct moving_mem mem;
 };
 
 static void stage_open(struct stage *stage)
@@ -50,21 +51,14 @@ static void stage_open(struct stage *stage)
         set->scene.limits.vertices = MOST_CORNERS;
     }
     const struct lim_target target = plain_lines_target(&stage->lines, 64, 64, LIM_NEAREST_FIRST);
-    const size_t mem_b = lim_mem_b(&stage->scene.scene, &target);
-    const size_t mover_mem_b = lim_movers_mem_b(&stage->scene.scene, &limits);
-    stage->mem = malloc(mem_b);
-    stage->mover_mem = malloc(mover_mem_b);
-    assert_true(stage->mem && stage->mover_mem);
-    assert_int_equal(lim_init(&stage->lim, &stage->scene.scene, &target, stage->mem, mem_b), LIM_OK);
-    assert_int_equal(lim_movers_init(&stage->lim, stage->mover_mem, mover_mem_b, &limits), LIM_OK);
+    moving_mem_init(&stage->mem, &stage->lim, &stage->scene.scene, &target, &limits);
     stage->instance.object = &stage->object.scene;
     lim_instance_turn(&stage->instance, 0, 0, 0);
 }
 
 static void stage_close(struct stage *stage)
 {
-    free(stage->mem);
-    free(stage->mover_mem);
+    moving_mem_free(&stage->mem);
 }
 
 static double dot(const double a[3], const double b[3])
@@ -319,7 +313,9 @@ static void compare(struct found *found, const struct lim_near_plane *plane, con
         return;
     }
     const double expected_q30 = ldexp(look->near / z, 30);
-    const uint32_t difference = (uint32_t)lim_near_q30(plane, x_px, y_px) - (uint32_t)llround(expected_q30);
+    const struct lim_near_row row = lim_near_row_of(plane, y_px);
+    const lim_near_word found_q30 = row.at_q30 + row.x_q30 * (uint32_t)x_px;
+    const uint32_t difference = (uint32_t)found_q30 - (uint32_t)llround(expected_q30);
     const double off_q30 = fabs((double)(int32_t)difference), steps = 3 + x_px + y_px;
     found->pixels++;
     found->worst = fmax(found->worst, (off_q30 - steps - known * expected_q30) / (tilt * expected_q30));
